@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*---------------------------------------------------------------------------*\
+Application
+    fsiPisoFoam
+
+Group
+    grpIncompressibleSolvers
+
+Description
+    Transient solver for an incompressible viscous fluid with many deformable
+    objects in it, on a uniform Cartesian mesh.
+
+    Objects are seeded by seedObjects. doc/dataFlow.md explains the step,
+    fsiObjects.H the entries of constant/fsiProperties.
+
+    Entries of controlDict beside OpenFOAM's own:
+    \table
+        Property       | Description                           | Default
+        adjustTimeStep | follow the Courant number             | no
+        maxCo          | largest Courant number of fluid and objects | 0.5
+        maxDeltaT      | largest time step [s]                 | deltaT
+        maxDiffusion   | largest dt nu d/h^2; 0: none          | 0
+    \endtable
+
+\*---------------------------------------------------------------------------*/
+
+#include "fvCFD.H"
+#include "fvOptions.H"
+#include "fsiObjects.H"
+#include "timeStep.H"
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+int main(int argc, char *argv[])
+{
+    argList::addNote
+    (
+        "Deformable objects in an incompressible fluid on a Cartesian mesh"
+    );
+
+    #include "addCheckCaseOptions.H"
+    #include "setRootCaseLists.H"
+    #include "createTime.H"
+    #include "createMesh.H"
+    #include "createFields.H"
+    #include "createFvOptions.H"
+
+    objects.setSolidVelocity(U);
+    fsi::timeStep timeStep(runTime);
+
+    Info<< "Starting time loop\n" << endl;
+
+    while (runTime.run())
+    {
+        timeStep.adjust(phi, objects);
+        ++runTime;
+        Info<< "Time = " << runTime.timeName() << endl;
+
+        objects.startStep(p);
+        if (objects.coupling().hasFluid())
+        {
+            const fsi::stepTimer::section fluid
+            (
+                objects.timer(),
+                fsi::stepTimer::part::fluid
+            );
+            do
+            {
+                #include "UEqn.H"
+                #include "pEqn.H"
+            }
+            while (objects.coupling().again(p, U));
+
+            objects.system().fluid.storeFaceVelocity(phi);
+        }
+        objects.finishStep(p, U);
+
+        objects.write();
+        runTime.write();
+    }
+
+    objects.timer().report(Info);
+    Info<< "End\n" << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/*---------------------------------------------------------------------------*\
+Application
+    seedObjects
+
+Description
+    Makes the objects of a case from system/seedObjectsDict.
+
+    Writes constant/fsiObjects (shapes), uniform/fsiObjects of the start time
+    (state of the copies) and, to look at the set-up before it is run,
+    postProcessing/seedObjects/surfaces.vtp and springs.vtp. Objects that were
+    there before are replaced.
+
+    The mesh must be uniform and Cartesian. Run it before decomposePar, which
+    copies the state to the processors.
+
+Usage
+    \b seedObjects [OPTION]
+
+      - \par -dict \<file\>
+        Alternative dictionary
+
+    For the dictionary see Foam::fsi::seeding.
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "Time.H"
+#include "fvMesh.H"
+#include "OSspecific.H"
+#include "cartesianMesh.H"
+#include "functionObject.H"
+#include "objectPolyData.H"
+#include "seeding.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+//- Replace the objects of a case
+static void write(const Time& runTime, const fsi::population& objects)
+{
+    rmDir(runTime.constantPath()/fsi::population::folder, true);
+    rmDir(runTime.timePath()/"uniform"/fsi::population::folder, true);
+    objects.writeShapes();
+    objects.write();
+
+    const fileName pictures
+    (
+        runTime.globalPath()/functionObject::outputPrefix/"seedObjects"
+    );
+    fsi::surfacePolyData(objects).write
+    (
+        pictures/"surfaces.vtp", runTime.value(), true
+    );
+    fsi::springPolyData(objects).write
+    (
+        pictures/"springs.vtp", runTime.value(), true
+    );
+    Info<< "Look at the set-up in " << runTime.relativePath(pictures) << nl;
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::addNote("Make the objects of a case from a dictionary");
+    argList::noParallel();
+    #include "addRegionOption.H"
+    argList::addOption("dict", "file", "Alternative seedObjectsDict");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+    #include "createNamedMesh.H"
+
+    const word dictName("seedObjectsDict");
+    #include "setSystemMeshDictionaryIO.H"
+    const IOdictionary dict(dictIO);
+
+    const fsi::cartesianMesh lattice(mesh);
+    const fsi::seeding seeding
+    (
+        runTime,
+        fsi::seedDomain
+        {
+            lattice.bounds(),
+            lattice.spacing(),
+            lattice.thickness(),
+            lattice.nDims()
+        },
+        dict
+    );
+
+    Info<< "Seeded" << nl;
+    seeding.report(Info);
+    write(runTime, seeding.objects());
+
+    Info<< "End" << nl << endl;
+    return 0;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cartesianMesh.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::cartesianMesh::refuse
+(
+    const label celli,
+    const string& reason
+) const
+{
+    FatalErrorInFunction
+        << "Mesh " << mesh_.polyMesh::path() << " is not uniform Cartesian: "
+        << reason.c_str() << nl
+        << "    cell " << celli << " with centre " << mesh_.C()[celli]
+        << " and volume " << mesh_.V()[celli] << nl
+        << "    All cells must be squares (2D, one cell thick in z) or cubes"
+        << " (3D) of size " << spacing_ << "; use blockMesh without grading"
+        << exit(FatalError);
+}
+
+
+void Foam::fsi::cartesianMesh::setSpacing()
+{
+    const Vector<label>& d = mesh_.geometricD();
+    if (d.x() != 1 || d.y() != 1)
+    {
+        FatalErrorInFunction
+            << "Mesh " << mesh_.polyMesh::path() << " must be solved in x and"
+            << " y (and z in 3D) but its geometric directions are " << d
+            << exit(FatalError);
+    }
+
+    nDims_ = d.z() == 1 ? 3 : 2;
+
+    const boundBox bb(mesh_.bounds());
+    thickness_ = nDims_ == 2 ? bb.span().z() : 1;
+    origin_ = bb.min();
+
+    const label nCells = returnReduce(mesh_.nCells(), sumOp<label>());
+    const scalar cellVolume =
+        bb.volume()/(thickness_*max(nCells, 1));
+    const scalar guess =
+        nDims_ == 2 ? Foam::sqrt(cellVolume) : Foam::cbrt(cellVolume);
+
+    for (direction dir = 0; dir < 3; ++dir)
+    {
+        globalN_[dir] =
+            dir < nDims_ ? max(label(round(bb.span()[dir]/guess)), 1) : 1;
+    }
+    spacing_ = bb.span().x()/globalN_.x();
+}
+
+
+void Foam::fsi::cartesianMesh::setIndices()
+{
+    const vectorField& C = mesh_.C();
+    const scalarField& V = mesh_.V();
+    const scalar tolerance = 1e-5*spacing_;
+    const scalar volume = pow(spacing_, nDims_)*thickness_;
+
+    List<labelVector> ijk(C.size(), Zero);
+    labelVector lower(labelMax, labelMax, labelMax);
+    labelVector upper(labelMin, labelMin, labelMin);
+
+    forAll(C, celli)
+    {
+        for (direction dir = 0; dir < nDims_; ++dir)
+        {
+            const scalar s = (C[celli][dir] - origin_[dir])/spacing_ - 0.5;
+            ijk[celli][dir] = label(round(s));
+            if (mag(s - ijk[celli][dir])*spacing_ > tolerance)
+            {
+                refuse(celli, "its centre is off the lattice");
+            }
+        }
+        if (mag(V[celli] - volume) > 1e-4*volume)
+        {
+            refuse(celli, "its volume differs");
+        }
+        lower = min(lower, ijk[celli]);
+        upper = max(upper, ijk[celli]);
+    }
+
+    start_ = C.empty() ? labelVector(0, 0, 0) : lower;
+    n_ = C.empty() ? labelVector(0, 0, 0) : upper - lower + labelVector::one;
+
+    const cartesianBlock block(cells());
+    blockIndex_.setSize(C.size());
+    cellAt_.setSize(block.size());
+    cellAt_ = -1;
+    forAll(C, celli)
+    {
+        blockIndex_[celli] = block.index(ijk[celli] - start_);
+        cellAt_[blockIndex_[celli]] = celli;
+    }
+}
+
+
+void Foam::fsi::cartesianMesh::setFaceCorners()
+{
+    const vectorField& faceAreas = mesh_.faceAreas();
+    const labelList& owner = mesh_.faceOwner();
+    const cartesianBlock block(corners());
+    const scalar area = pow(spacing_, nDims_ - 1)*thickness_;
+
+    faceCorners_.setSize(mesh_.nFaces(), FixedList<label, 4>(-1));
+    forAll(faceCorners_, facei)
+    {
+        const vector& S = faceAreas[facei];
+        if (nDims_ == 2 && mag(S.z()) > 0.5*mag(S))
+        {
+            continue;
+        }
+        if
+        (
+            cmptMax(cmptMag(S)) < (1 - 1e-6)*mag(S)
+         || mag(mag(S) - area) > 1e-4*area
+        )
+        {
+            refuse(owner[facei], "one of its faces is skewed or stretched");
+        }
+
+        label nCorners = 0;
+        for (const label pointi : mesh_.faces()[facei])
+        {
+            const vector s((mesh_.points()[pointi] - origin_)/spacing_);
+            labelVector ijk(round(s.x()), round(s.y()), round(s.z()));
+            if (nDims_ == 2)
+            {
+                // Of the two mesh points above each other, the lower one
+                if (s.z()*spacing_ > 0.5*thickness_)
+                {
+                    continue;
+                }
+                ijk.z() = 0;
+            }
+            faceCorners_[facei][nCorners++] = block.index(ijk - start_);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
+:
+    mesh_(mesh)
+{
+    setSpacing();
+    setIndices();
+    setFaceCorners();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::boundBox Foam::fsi::cartesianMesh::bounds() const
+{
+    return mesh_.bounds();
+}
+
+
+Foam::fsi::cartesianBlock Foam::fsi::cartesianMesh::cells
+(
+    const label halo
+) const
+{
+    const vector half(0.5*spacing_, 0.5*spacing_, 0.5*spacing_);
+    point first(origin_ + half);
+    labelVector grown(halo, halo, halo);
+    if (nDims_ == 2)
+    {
+        first.z() = origin_.z() + 0.5*thickness_;
+        grown.z() = 0;
+    }
+    return cartesianBlock
+    (
+        first,
+        spacing_,
+        n_ + grown + grown,
+        nDims_,
+        start_ - grown
+    );
+}
+
+
+Foam::fsi::cartesianBlock Foam::fsi::cartesianMesh::corners() const
+{
+    point first(origin_);
+    labelVector n(n_ + labelVector::one);
+    if (nDims_ == 2)
+    {
+        first.z() = origin_.z() + 0.5*thickness_;
+        n.z() = 1;
+    }
+    return cartesianBlock(first, spacing_, n, nDims_, start_);
+}
+
+
+Foam::label Foam::fsi::cartesianMesh::findCell(const point& p) const
+{
+    labelVector ijk(0, 0, 0);
+    for (direction dir = 0; dir < nDims_; ++dir)
+    {
+        ijk[dir] =
+            label(floor((p[dir] - origin_[dir])/spacing_)) - start_[dir];
+    }
+    const cartesianBlock block(cells());
+    return block.contains(ijk) ? cellAt_[block.index(ijk)] : -1;
+}
+
+
+Foam::direction Foam::fsi::cartesianMesh::faceDirection
+(
+    const label facei
+) const
+{
+    const vector S(cmptMag(mesh_.faceAreas()[facei]));
+    return S.x() > S.y() && S.x() > S.z() ? 0 : S.y() > S.z() ? 1 : 2;
+}
+
+
+// ************************************************************************* //

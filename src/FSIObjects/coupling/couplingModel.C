@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "couplingModel.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(couplingModel, 0);
+    defineRunTimeSelectionTable(couplingModel, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::couplingModel::couplingModel
+(
+    fsiSystem& system,
+    const dictionary& dict
+)
+:
+    system_(system),
+    dict_(dict),
+    wallVelocity_(system.objects.surfaces().velocities()),
+    hydrodynamicForce_(system.objects.surfaces().points().size(), Zero)
+{
+    system.objects.zeroGroups(velocity_);
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fsi::couplingModel> Foam::fsi::couplingModel::New
+(
+    fsiSystem& system
+)
+{
+    const dictionary& dict = system.properties.subOrEmptyDict("coupling");
+    const word type(dict.lookupOrDefault<word>("type", "solidImplicit"));
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            system.properties,
+            "coupling",
+            type,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+    return cstrIter()(system, dict);
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::fsi::couplingModel::fixInactive
+(
+    const volScalarField& p,
+    fvScalarMatrix& pEqn
+) const
+{
+    const boolList& active = system_.geometry.activeCell();
+    const scalar diagonal = max(gMax(pEqn.diag()), SMALL);
+
+    forAll(active, celli)
+    {
+        if (!active[celli])
+        {
+            pEqn.diag()[celli] = diagonal;
+            pEqn.source()[celli] = diagonal*p[celli];
+        }
+    }
+}
+
+
+void Foam::fsi::couplingModel::solveFluidPressure
+(
+    volScalarField& p,
+    fvScalarMatrix& pEqn
+) const
+{
+    fixInactive(p, pEqn);
+    const dictionary& pisoDict = p.mesh().solutionDict().subDict("PISO");
+    pEqn.setReference
+    (
+        pisoDict.lookupOrDefault<label>("pRefCell", 0),
+        pisoDict.lookupOrDefault<scalar>("pRefValue", 0)
+    );
+    pEqn.solve();
+}
+
+
+// ************************************************************************* //

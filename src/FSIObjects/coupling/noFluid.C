@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "noFluid.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(noFluid, 0);
+    addToRunTimeSelectionTable(couplingModel, noFluid, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::noFluid::noFluid(fsiSystem& system, const dictionary& dict)
+:
+    couplingModel(system, dict)
+{
+    checkKeys(dict, {"type"});
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::noFluid::begin
+(
+    const groupNodal& force,
+    const volScalarField&
+)
+{
+    const Time& time = system_.grid.mesh().time();
+    const scalar dt = time.deltaTValue();
+
+    velocity_.setSize(force.size());
+    forAll(force, groupi)
+    {
+        bodyGroup& group = system_.objects.groups()[groupi];
+        group.predict(time.value() - dt, dt, force[groupi], velocity_[groupi]);
+        group.prepareResponse(dt);
+        group.constrainVolume(dt, velocity_[groupi]);
+    }
+    system_.objects.toSurface(velocity_, wallVelocity_);
+}
+
+
+// ************************************************************************* //

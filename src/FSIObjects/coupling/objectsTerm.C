@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectsTerm.H"
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::objectsTerm::rowSums(scalarField& d) const
+{
+    vectorField uniform(system_.walls.uniformForce());
+    fsiSystem::groupNodal force;
+    system_.toBoundary(uniform, force);
+
+    const scalar dt = system_.deltaT();
+    forAll(force, groupi)
+    {
+        if (system_.objects.groups()[groupi].free())
+        {
+            const admmFactor& factor =
+                system_.objects.shape(groupi).factor(dt);
+            force[groupi] =
+                (dt*system_.fluidDensity)
+               *(factor.boundaryInverse()*force[groupi]).eval();
+        }
+        else
+        {
+            force[groupi].setZero();
+        }
+    }
+    system_.fromBoundary(force, uniform);
+    system_.walls.grossFlux(uniform, d);
+}
+
+
+void Foam::fsi::objectsTerm::nodeDiagonal(scalarField& d) const
+{
+    const scalar dt = system_.deltaT();
+    const surfaceSet& surfaces = system_.objects.surfaces();
+
+    // dt rho/A_ii per surface node
+    scalarField mobility(surfaces.points().size(), Zero);
+    forAll(surfaces.pointObject(), nodei)
+    {
+        const label objecti = surfaces.pointObject()[nodei];
+        const label groupi = system_.objects.objectGroup(objecti);
+        if (system_.objects.groups()[groupi].free())
+        {
+            const label i = nodei - surfaces.pointStart()[objecti];
+            mobility[nodei] =
+                dt*system_.fluidDensity
+               /system_.objects.shape(groupi).factor(dt).matrix().coeff(i, i);
+        }
+    }
+
+    // A cell's loads on a node are summed before they are squared
+    struct load
+    {
+        label cell;
+        label dof;
+        scalar value;
+    };
+    std::vector<load> loads;
+    for (const wallFace& w : system_.geometry.wallFaces())
+    {
+        for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
+        {
+            const label dof = 3*w.place.nodes[k] + w.dir;
+            const scalar value = w.area*w.place.weights[k];
+            if (w.lower >= 0)
+            {
+                loads.push_back({w.lower, dof, value});
+            }
+            if (w.upper >= 0)
+            {
+                loads.push_back({w.upper, dof, -value});
+            }
+        }
+    }
+    std::sort
+    (
+        loads.begin(),
+        loads.end(),
+        [](const load& a, const load& b)
+        {
+            return a.cell != b.cell ? a.cell < b.cell : a.dof < b.dof;
+        }
+    );
+
+    d = Zero;
+    for (std::size_t i = 0; i < loads.size();)
+    {
+        scalar sum = 0;
+        const std::size_t first = i;
+        for
+        (
+            ;
+            i < loads.size()
+         && loads[i].cell == loads[first].cell
+         && loads[i].dof == loads[first].dof;
+            ++i
+        )
+        {
+            sum += loads[i].value;
+        }
+        d[loads[first].cell] += sqr(sum)*mobility[loads[first].dof/3];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::objectsTerm::objectsTerm(const fsiSystem& system)
+:
+    system_(system)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::objectsTerm::velocity
+(
+    const scalarField& p,
+    vectorField& v
+) const
+{
+    system_.walls.transpose(p, nodal_);
+    nodal_ *= system_.fluidDensity;
+    system_.toBoundary(nodal_, force_);
+
+    velocity_.setSize(force_.size());
+    forAll(force_, groupi)
+    {
+        velocity_[groupi].resize(force_[groupi].rows(), force_[groupi].cols());
+        system_.objects.groups()[groupi].respondBoundary
+        (
+            force_[groupi],
+            velocity_[groupi]
+        );
+    }
+    system_.fromBoundary(velocity_, v);
+}
+
+
+void Foam::fsi::objectsTerm::add
+(
+    scalarField& Ax,
+    const scalarField& x
+) const
+{
+    // J' is +1 outward of the lower cell, and p pushes the nodes outward of
+    // the fluid with the same sign: K is positive semi-definite
+    velocity(x, nodal_);
+    flux_.setSize(x.size());
+    system_.walls.flux(nodal_, flux_);
+    Ax += flux_;
+}
+
+
+Foam::tmp<Foam::scalarField> Foam::fsi::objectsTerm::diagonal() const
+{
+    const label nCells = system_.grid.mesh().nCells();
+    auto td = tmp<scalarField>::New(nCells, Zero);
+    rowSums(td.ref());
+
+    scalarField d(nCells);
+    nodeDiagonal(d);
+    td.ref() = max(max(td(), d), 0.0);
+    return td;
+}
+
+
+// ************************************************************************* //

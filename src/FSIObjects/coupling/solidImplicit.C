@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "solidImplicit.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+#include "fvmLaplacian.H"
+#include "fvcDiv.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(solidImplicit, 0);
+    addToRunTimeSelectionTable(couplingModel, solidImplicit, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::solidImplicit::solidImplicit
+(
+    fsiSystem& system,
+    const dictionary& dict
+)
+:
+    couplingModel(system, dict),
+    viscous_(system),
+    term_(system)
+{
+    checkKeys(dict, {"type"});
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::solidImplicit::constrainVolume(groupNodal& v) const
+{
+    forAll(v, groupi)
+    {
+        system_.objects.groups()[groupi].constrainVolume
+        (
+            system_.deltaT(),
+            v[groupi]
+        );
+    }
+}
+
+
+void Foam::fsi::solidImplicit::pressureForce
+(
+    const scalarField& p,
+    groupNodal& force
+) const
+{
+    vectorField nodal;
+    system_.walls.transpose(p, nodal);
+    nodal *= system_.fluidDensity;
+    system_.objects.toGroups(nodal, force);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::solidImplicit::begin
+(
+    const groupNodal& force,
+    const volScalarField& p
+)
+{
+    const scalar dt = system_.deltaT();
+    const scalar time = p.time().value() - dt;
+
+    oldPressure_ = p.primitiveField();
+    groupNodal total;
+    pressureForce(oldPressure_, total);
+
+    predicted_.setSize(total.size());
+    forAll(total, groupi)
+    {
+        bodyGroup& group = system_.objects.groups()[groupi];
+        total[groupi] += force[groupi];
+        group.predict(time, dt, total[groupi], predicted_[groupi]);
+        group.prepareResponse(dt);
+    }
+    constrainVolume(predicted_);
+    velocity_ = predicted_;
+    system_.objects.toSurface(velocity_, wallVelocity_);
+}
+
+
+void Foam::fsi::solidImplicit::solveMomentum
+(
+    fvVectorMatrix& UEqn,
+    const volVectorField& gradP
+)
+{
+    volVectorField& U = const_cast<volVectorField&>(UEqn.psi());
+    fvVectorMatrix withPressure(UEqn + gradP);
+    system_.fluid.constrain(withPressure);
+
+    viscous_.solve(withPressure, U, predicted_, velocity_, linkForce_);
+    constrainVolume(velocity_);
+    system_.objects.toSurface(velocity_, wallVelocity_);
+}
+
+
+void Foam::fsi::solidImplicit::solvePressure
+(
+    volScalarField& p,
+    surfaceScalarField& phiHbyA,
+    const scalar rAU
+)
+{
+    const surfaceScalarField rAUf
+    (
+        dimensionedScalar("rAU", dimTime, rAU)*system_.geometry.openArea()
+    );
+    fvScalarMatrix pEqn(-fvm::laplacian(rAUf, p));
+
+    // Walls' flux without the pressure
+    vectorField oldPart;
+    term_.velocity(oldPressure_, oldPart);
+    scalarField wallFlux(p.size());
+    system_.walls.flux(wallVelocity_ - oldPart, wallFlux);
+
+    scalarField source(-wallFlux);
+    source -= fvc::surfaceIntegrate(phiHbyA)().primitiveField()*p.mesh().V();
+
+    solveWithObjects(p, pEqn, source);
+
+    phiHbyA += pEqn.flux();
+
+    // Velocities of all nodes with the increment of the pressure
+    groupNodal force;
+    pressureForce(p.primitiveField() - oldPressure_, force);
+    forAll(force, groupi)
+    {
+        Eigen::MatrixXd increment(force[groupi].rows(), force[groupi].cols());
+        system_.objects.groups()[groupi].respond(force[groupi], increment);
+        velocity_[groupi] += increment;
+    }
+    system_.objects.toSurface(velocity_, wallVelocity_);
+}
+
+
+void Foam::fsi::solidImplicit::solveWithObjects
+(
+    volScalarField& p,
+    fvScalarMatrix& pEqn,
+    const scalarField& source
+)
+{
+    fixInactive(p, pEqn);
+    scalarField b(pEqn.source());
+    const boolList& active = system_.geometry.activeCell();
+    forAll(b, celli)
+    {
+        if (active[celli])
+        {
+            b[celli] += source[celli];
+        }
+    }
+
+    // Patches' parts of diagonal and source, as fvMatrix::solve adds them
+    scalarField& diagonal = pEqn.diag();
+    forAll(p.boundaryField(), patchi)
+    {
+        const labelUList& cells = pEqn.lduAddr().patchAddr(patchi);
+        const bool coupled = p.boundaryField()[patchi].coupled();
+        forAll(cells, i)
+        {
+            diagonal[cells[i]] += pEqn.internalCoeffs()[patchi][i];
+            if (!coupled)
+            {
+                b[cells[i]] += pEqn.boundaryCoeffs()[patchi][i];
+            }
+        }
+    }
+
+    const dictionary& controls = p.mesh().solverDict(p.name());
+    if (!multigrid_.valid())
+    {
+        multigrid_.reset(new cartesianMultigrid(p.mesh(), controls));
+    }
+    multigrid_->update
+    (
+        pEqn,
+        pEqn.boundaryCoeffs(),
+        p.boundaryField().scalarInterfaces(),
+        term_.diagonal()
+    );
+    cartesianMultigrid::loopControls loop;
+    loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
+    loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
+    loop.maxIter = controls.lookupOrDefault<label>("maxIter", 1000);
+    multigrid_->solve
+    (
+        p.primitiveFieldRef(),
+        b,
+        p.name(),
+        loop,
+        &term_
+    ).print(Info.masterStream(p.mesh().comm()));
+    p.correctBoundaryConditions();
+}
+
+
+void Foam::fsi::solidImplicit::end
+(
+    const volScalarField& p,
+    const volVectorField&
+)
+{
+    constrainVolume(velocity_);
+    system_.objects.toSurface(velocity_, wallVelocity_);
+
+    vectorField nodal;
+    system_.walls.transpose(p.primitiveField(), nodal);
+    hydrodynamicForce_ = linkForce_ + system_.fluidDensity*nodal;
+}
+
+
+// ************************************************************************* //

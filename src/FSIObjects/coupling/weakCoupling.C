@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "weakCoupling.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+#include "fvmLaplacian.H"
+#include "fvcSurfaceIntegrate.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(weakCoupling, 0);
+    addToRunTimeSelectionTable(couplingModel, weakCoupling, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::weakCoupling::weakCoupling
+(
+    fsiSystem& system,
+    const dictionary& dict
+)
+:
+    couplingModel(system, dict),
+    load_(hydrodynamicLoad::New(system, dict)),
+    subIterations_(label(readPositive(dict, "subIterations", 1))),
+    tolerance_(readPositive(dict, "tolerance", 1e-3)),
+    firstRelaxation_(readPositive(dict, "relaxation", 0.5)),
+    pass_(0),
+    relaxation_(firstRelaxation_)
+{
+    checkKeys
+    (
+        dict,
+        {"type", "load", "subIterations", "tolerance", "relaxation"}
+    );
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::weakCoupling::predict
+(
+    const volScalarField& p,
+    const volVectorField& U
+)
+{
+    const scalar dt = system_.deltaT();
+    const scalar time = p.time().value() - dt;
+
+    load_->calculate(p, U, wallVelocity_, hydrodynamicForce_);
+    groupNodal total;
+    system_.objects.toGroups(hydrodynamicForce_, total);
+    forAll(total, groupi)
+    {
+        bodyGroup& group = system_.objects.groups()[groupi];
+        total[groupi] += force_[groupi];
+        group.predict(time, dt, total[groupi], velocity_[groupi]);
+        group.constrainVolume(dt, velocity_[groupi]);
+    }
+}
+
+
+void Foam::fsi::weakCoupling::relax(const vectorField& residual)
+{
+    if (pass_ == 1)
+    {
+        relaxation_ = firstRelaxation_;
+    }
+    else
+    {
+        const vectorField change(residual - residual_);
+        relaxation_ *=
+            -sum(residual_ & change)/max(sum(magSqr(change)), VSMALL);
+    }
+    residual_ = residual;
+    wallVelocity_ += relaxation_*residual;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::weakCoupling::begin
+(
+    const groupNodal& force,
+    const volScalarField&
+)
+{
+    pass_ = 0;
+    force_ = force;
+    system_.objects.zeroGroups(velocity_);
+    wallVelocity_ = system_.objects.surfaces().velocities();
+    for (bodyGroup& group : system_.objects.groups())
+    {
+        group.prepareResponse(system_.deltaT());
+    }
+}
+
+
+void Foam::fsi::weakCoupling::solveMomentum
+(
+    fvVectorMatrix& UEqn,
+    const volVectorField& gradP
+)
+{
+    fvVectorMatrix equation(UEqn + gradP);
+    system_.fluid.constrain(equation);
+    for (const wallLink& link : system_.geometry.wallLinks())
+    {
+        const scalar g = system_.viscosity*link.conductance;
+        equation.diag()[link.cell] += g;
+        equation.source()[link.cell] +=
+            g*link.place.interpolate(wallVelocity_);
+    }
+    equation.solve();
+}
+
+
+void Foam::fsi::weakCoupling::solvePressure
+(
+    volScalarField& p,
+    surfaceScalarField& phiHbyA,
+    const scalar rAU
+)
+{
+    const surfaceScalarField rAUf
+    (
+        dimensionedScalar("rAU", dimTime, rAU)*system_.geometry.openArea()
+    );
+    fvScalarMatrix pEqn(-fvm::laplacian(rAUf, p));
+
+    scalarField wallFlux(p.size());
+    system_.walls.flux(wallVelocity_, wallFlux);
+    pEqn.source() -= wallFlux;
+    pEqn.source() -=
+        fvc::surfaceIntegrate(phiHbyA)().primitiveField()*p.mesh().V();
+    system_.geometry.removeNetSource(p, pEqn.source());
+
+    solveFluidPressure(p, pEqn);
+    phiHbyA += pEqn.flux();
+}
+
+
+bool Foam::fsi::weakCoupling::again
+(
+    const volScalarField& p,
+    const volVectorField& U
+)
+{
+    ++pass_;
+    predict(p, U);
+    if (pass_ >= subIterations_)
+    {
+        return false;
+    }
+
+    vectorField objectVelocity;
+    system_.objects.toSurface(velocity_, objectVelocity);
+    const vectorField residual(objectVelocity - wallVelocity_);
+    const scalar scale = max(max(magSqr(objectVelocity)), VSMALL);
+    if (max(magSqr(residual)) < sqr(tolerance_)*scale)
+    {
+        return false;
+    }
+    relax(residual);
+    return true;
+}
+
+
+void Foam::fsi::weakCoupling::end
+(
+    const volScalarField&,
+    const volVectorField&
+)
+{}
+
+
+// ************************************************************************* //

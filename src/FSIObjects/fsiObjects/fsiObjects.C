@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fsiObjects.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Check the keys of fsiProperties before anything is read from it
+static const dictionary& checked(const dictionary& dict)
+{
+    checkKeys
+    (
+        dict,
+        {
+            "fluidDensity", "gravity", "wall", "minWallDistance",
+            "ddtPhiCoeff", "levelSet", "coupling", "contact", "output"
+        }
+    );
+    return dict;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::fsiObjects::fsiObjects(const fvMesh& mesh, const scalar viscosity)
+:
+    mesh_(mesh),
+    properties_
+    (
+        IOobject
+        (
+            "fsiProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ,
+            IOobject::NO_WRITE
+        )
+    ),
+    system_(mesh, checked(properties_), viscosity),
+    coupling_(couplingModel::New(system_)),
+    writer_(mesh.time(), properties_.subOrEmptyDict("output")),
+    signedDistance_
+    (
+        IOobject
+        (
+            "signedDistance",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar(dimLength, Zero)
+    ),
+    objectLabel_
+    (
+        IOobject
+        (
+            "objectLabel",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::NO_READ,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedScalar("value", dimless, -1)
+    )
+{
+    Info<< "FSIObjects: " << system_.objects.size() << " objects, "
+        << system_.objects.nNodes() << " nodes, coupling "
+        << coupling_->type() << ", wall " << system_.wall->type()
+        << ", level set " << system_.levelSet->type() << nl << endl;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::fsiObjects::fillNewCells
+(
+    const boolList& wasActive,
+    volScalarField& p
+) const
+{
+    const boolList& active = system_.geometry.activeCell();
+
+    volScalarField known
+    (
+        IOobject("known", mesh_.time().timeName(), mesh_),
+        mesh_,
+        dimensionedScalar(dimless, Zero)
+    );
+    forAll(wasActive, celli)
+    {
+        known[celli] = wasActive[celli] ? 1 : 0;
+    }
+    known.correctBoundaryConditions();
+
+    scalarField sum(mesh_.nCells(), Zero);
+    scalarField count(mesh_.nCells(), Zero);
+    const auto add = [&](const label celli, const scalar k, const scalar value)
+    {
+        sum[celli] += k*value;
+        count[celli] += k;
+    };
+
+    const labelUList& own = mesh_.owner();
+    const labelUList& nei = mesh_.neighbour();
+    forAll(own, facei)
+    {
+        add(own[facei], known[nei[facei]], p[nei[facei]]);
+        add(nei[facei], known[own[facei]], p[own[facei]]);
+    }
+    forAll(known.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pk = known.boundaryField()[patchi];
+        if (pk.coupled())
+        {
+            const scalarField k(pk.patchNeighbourField());
+            const scalarField pn(p.boundaryField()[patchi].patchNeighbourField());
+            const labelUList& cells = pk.patch().faceCells();
+            forAll(cells, i)
+            {
+                add(cells[i], k[i], pn[i]);
+            }
+        }
+    }
+
+    forAll(active, celli)
+    {
+        if (active[celli] && !wasActive[celli] && count[celli] > 0)
+        {
+            p[celli] = sum[celli]/count[celli];
+        }
+    }
+    p.correctBoundaryConditions();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::fsiObjects::startStep(const volScalarField& p)
+{
+    const stepTimer::section solids(timer_, stepTimer::part::solids);
+
+    fsiSystem::groupNodal force;
+    system_.objects.zeroGroups(force);
+    system_.addBodyForce(force);
+    coupling_->begin(force, p);
+}
+
+
+void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
+{
+    coupling_->end(p, U);
+    {
+        const stepTimer::section solids(timer_, stepTimer::part::solids);
+        forAll(system_.objects.groups(), groupi)
+        {
+            system_.objects.groups()[groupi].move
+            (
+                system_.deltaT(),
+                coupling_->velocity()[groupi]
+            );
+        }
+        system_.objects.updateSurfaces();
+    }
+    {
+        const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
+        system_.levelSet->move(system_.objects.surfaces(), system_.deltaT());
+    }
+    const stepTimer::section coupling(timer_, stepTimer::part::coupling);
+    if (coupling_->hasFluid())
+    {
+        const boolList wasActive(system_.geometry.activeCell());
+        system_.updateGeometry();
+        fillNewCells(wasActive, p);
+        setSolidVelocity(U);
+    }
+}
+
+
+void Foam::fsi::fsiObjects::setSolidVelocity(volVectorField& U) const
+{
+    system_.fluid.setSolidVelocity
+    (
+        U,
+        system_.objects.surfaces(),
+        *system_.levelSet
+    );
+}
+
+
+Foam::scalar Foam::fsi::fsiObjects::courantNo() const
+{
+    const vectorField& v = system_.objects.surfaces().velocities();
+    scalar largest = 0;
+    for (const vector& vi : v)
+    {
+        largest = max(largest, cmptMax(cmptMag(vi)));
+    }
+    return largest*system_.deltaT()/system_.grid.spacing();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fsiObjects.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::fsiObjects::report()
+{
+    const population& objects = system_.objects;
+    const Time& time = mesh_.time();
+
+    stepRecord record;
+    record.time = time.value();
+    record.deltaT = time.deltaTValue();
+    record.objects = objects.size();
+    forAll(objects.groups(), groupi)
+    {
+        const bodyGroup& group = objects.groups()[groupi];
+        record.kineticEnergy += group.kineticEnergy();
+        record.elasticEnergy += group.elasticEnergy();
+        for (label copyi = 0; copyi < group.size(); ++copyi)
+        {
+            record.areaChange = max
+            (
+                record.areaChange,
+                mag(group.volume(copyi)/group.shape().referenceVolume() - 1)
+            );
+        }
+    }
+    record.misfit = system_.levelSet->misfit(objects.surfaces());
+    record.rebuilds = system_.levelSet->nRebuilds();
+
+    timer_.endStep(time.value(), time.deltaTValue(), time.endTime().value());
+    record.seconds = timer_.seconds();
+    writer_.writeStep(record);
+    if (Pstream::master())
+    {
+        record.log(Info, timer_);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::fsiObjects::write()
+{
+    report();
+    if (!mesh_.time().outputTime())
+    {
+        return;
+    }
+
+    const population& objects = system_.objects;
+    const labelList& halo = system_.geometry.haloIndex();
+    forAll(halo, celli)
+    {
+        const label objecti = system_.levelSet->object()[halo[celli]];
+        signedDistance_[celli] = system_.levelSet->cellDistance()[halo[celli]];
+        objectLabel_[celli] = objecti < 0 ? -1 : objects.objectId(objecti);
+    }
+    signedDistance_.correctBoundaryConditions();
+    objectLabel_.correctBoundaryConditions();
+
+    List<objectRecord> records(objectRecord::sample(objects));
+    const labelList& pointObject = objects.surfaces().pointObject();
+    forAll(pointObject, nodei)
+    {
+        records[pointObject[nodei]].force +=
+            coupling_->hydrodynamicForce()[nodei];
+    }
+    writer_.writeObjects(mesh_.time().value(), objects, records);
+    objects.write();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fsiSystem.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::fsiSystem::fsiSystem
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const scalar viscosity
+)
+:
+    properties(dict),
+    grid(mesh),
+    objects(mesh.time()),
+    wall(wallTreatment::New(dict)),
+    levelSet(levelSetUpdate::New(grid, dict)),
+    geometry(grid, *wall),
+    walls(geometry),
+    fluid(geometry, dict),
+    fluidDensity(readPositive(dict, "fluidDensity")),
+    viscosity(viscosity),
+    gravity(dict.lookupOrDefault<vector>("gravity", Zero))
+{
+    if (objects.nDims() != grid.nDims())
+    {
+        FatalErrorInFunction
+            << "The objects have " << label(objects.nDims())
+            << " dimensions but the mesh has " << label(grid.nDims())
+            << "; run seedObjects on this mesh"
+            << exit(FatalError);
+    }
+    levelSet->initialise(objects.surfaces());
+    updateGeometry();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::fsiSystem::updateGeometry()
+{
+    geometry.update(*levelSet, objects.surfaces());
+    walls.update(objects.surfaces());
+}
+
+
+void Foam::fsi::fsiSystem::addBodyForce(groupNodal& force) const
+{
+    forAll(objects.groups(), groupi)
+    {
+        const shapeTemplate& shape = objects.shape(groupi);
+        const scalar netFactor = 1 - fluidDensity/shape.density();
+        Eigen::MatrixXd& f = force[groupi];
+
+        for (Eigen::Index column = 0; column < f.cols(); ++column)
+        {
+            const scalar g = gravity[direction(column % grid.nDims())];
+            for (Eigen::Index nodei = 0; nodei < f.rows(); ++nodei)
+            {
+                f(nodei, column) += netFactor*shape.nodeMasses()[nodei]*g;
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::fsiSystem::toBoundary
+(
+    const vectorField& surface,
+    groupNodal& boundary
+) const
+{
+    const direction nDims = grid.nDims();
+    const labelList& start = objects.surfaces().pointStart();
+
+    boundary.setSize(objects.groups().size());
+    forAll(boundary, groupi)
+    {
+        const bodyGroup& group = objects.groups()[groupi];
+        const label nNodes = objects.shape(groupi).nBoundaryNodes();
+        Eigen::MatrixXd& b = boundary[groupi];
+        b.resize(nNodes, nDims*group.size());
+
+        for (label copyi = 0; copyi < group.size(); ++copyi)
+        {
+            const label first = start[objects.objectIndex(groupi, copyi)];
+            for (direction d = 0; d < nDims; ++d)
+            {
+                for (label i = 0; i < nNodes; ++i)
+                {
+                    b(i, nDims*copyi + d) = surface[first + i][d];
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::fsiSystem::fromBoundary
+(
+    const groupNodal& boundary,
+    vectorField& surface
+) const
+{
+    const direction nDims = grid.nDims();
+    const labelList& start = objects.surfaces().pointStart();
+
+    surface.setSize(objects.surfaces().points().size());
+    forAll(boundary, groupi)
+    {
+        const Eigen::MatrixXd& b = boundary[groupi];
+        const label nNodes = objects.shape(groupi).nBoundaryNodes();
+        const label nCopies = objects.groups()[groupi].size();
+
+        for (label copyi = 0; copyi < nCopies; ++copyi)
+        {
+            const label first = start[objects.objectIndex(groupi, copyi)];
+            for (label i = 0; i < nNodes; ++i)
+            {
+                vector& v = surface[first + i];
+                v = Zero;
+                for (direction d = 0; d < nDims; ++d)
+                {
+                    v[d] = b(i, nDims*copyi + d);
+                }
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "timeStep.H"
+#include "fsiObjects.H"
+#include "dictionaryCheck.H"
+#include "fvcSurfaceIntegrate.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::timeStep::timeStep(Time& time)
+:
+    time_(time),
+    adjust_(time.controlDict().lookupOrDefault<Switch>("adjustTimeStep", false)),
+    maxCo_(readPositive(time.controlDict(), "maxCo", 0.5)),
+    maxDeltaT_
+    (
+        readPositive
+        (
+            time.controlDict(),
+            "maxDeltaT",
+            readPositive(time.controlDict(), "deltaT")
+        )
+    ),
+    maxDiffusion_(readNonNegative(time.controlDict(), "maxDiffusion", 0)),
+    level_(-1)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
+{
+    // The first level at or below the limit
+    const label lowest =
+        limit >= maxDeltaT_
+      ? 0
+      : label(ceil(4*log(maxDeltaT_/limit)/log(2.0) - 1e-9));
+
+    // Up only if 10 % below the limit of the level above
+    if (level_ < 0 || lowest > level_)
+    {
+        level_ = lowest;
+    }
+    else
+    {
+        const auto step = [&](const label k)
+        {
+            return maxDeltaT_*pow(2.0, -0.25*k);
+        };
+        while (level_ > lowest && step(level_ - 1) <= 0.9*limit)
+        {
+            --level_;
+        }
+    }
+    return maxDeltaT_*pow(2.0, -0.25*level_);
+}
+
+
+void Foam::fsi::timeStep::adjust
+(
+    const surfaceScalarField& phi,
+    const fsiObjects& objects
+)
+{
+    const scalar dt = time_.deltaTValue();
+    const scalar fluid =
+        0.5*gMax(fvc::surfaceSum(mag(phi))().primitiveField()/phi.mesh().V())
+       *dt;
+    const scalar solid = objects.courantNo();
+    Info<< "Courant Number fluid: " << fluid << " objects: " << solid << endl;
+
+    if (adjust_)
+    {
+        scalar limit = maxCo_*dt/max(max(fluid, solid), SMALL);
+        if (maxDiffusion_ > 0)
+        {
+            limit = min(limit, maxDiffusion_/objects.diffusionRate());
+        }
+        time_.setDeltaT(choose(limit));
+        Info<< "deltaT = " << time_.deltaTValue() << endl;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFluid.H"
+#include "levelSetUpdate.H"
+#include "syncTools.H"
+#include "surfaceInterpolate.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::wallFaceVelocity
+(
+    const volVectorField& U,
+    const volVectorField& gradient,
+    const scalar rAU,
+    const surfaceSet& surfaces,
+    const vectorField& wallVelocity,
+    const levelSetUpdate& levelSet
+) const
+{
+    const fvMesh& mesh = U.mesh();
+    const boolList& fluid = geometry_.fluidCell();
+    auto tvelocity = tmp<scalarField>::New(mesh.nFaces(), Zero);
+    scalarField& velocity = tvelocity.ref();
+
+    // Between a fluid cell's centre and the wall
+    for (const wallLink& link : geometry_.wallLinks())
+    {
+        const scalar wall = link.place.interpolate(wallVelocity, link.dir);
+        const scalar part = min(0.5/link.wallDistance, 1.0);
+        velocity[link.face] =
+            (1 - part)*U[link.cell][link.dir] + part*wall
+          + rAU*gradient[link.cell][link.dir];
+    }
+
+    // Between two cells with their centres inside objects. Across a coupled
+    // patch each side gives half
+    for (const wallFace& w : geometry_.wallFaces())
+    {
+        const label own = mesh.faceOwner()[w.face];
+        const bool internal = w.face < mesh.nInternalFaces();
+        const label nei = internal ? mesh.faceNeighbour()[w.face] : own;
+        if (geometry_.openness()[w.face] <= 0 || fluid[own] || fluid[nei])
+        {
+            continue;
+        }
+        const scalar half = internal ? 1 : 0.5;
+        velocity[w.face] =
+            half
+           *(
+                w.place.interpolate(wallVelocity, w.dir)
+              + 0.5*rAU*(gradient[own][w.dir] + gradient[nei][w.dir])
+            );
+    }
+
+    // The side of a coupled patch that holds the fluid cell tells the other
+    SubList<scalar> boundary
+    (
+        velocity,
+        mesh.nFaces() - mesh.nInternalFaces(),
+        mesh.nInternalFaces()
+    );
+    scalarField onBoundary(boundary);
+    syncTools::syncBoundaryFaceList(mesh, onBoundary, plusEqOp<scalar>());
+    boundary = onBoundary;
+
+    return tvelocity;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
+(
+    const volVectorField& U,
+    const volVectorField& gradient,
+    const scalar rAU,
+    const surfaceSet& surfaces,
+    const vectorField& wallVelocity,
+    const levelSetUpdate& levelSet
+) const
+{
+    const fvMesh& mesh = U.mesh();
+
+    // Provisional velocity without pressure; patches that fix the velocity
+    // keep it
+    volVectorField HbyA("HbyA", U);
+    HbyA.primitiveFieldRef() += rAU*gradient.primitiveField();
+    HbyA.correctBoundaryConditions();
+
+    auto tphi = tmp<surfaceScalarField>::New
+    (
+        "phiHbyA",
+        fvc::interpolate(HbyA) & mesh.Sf()
+    );
+    surfaceScalarField& phi = tphi.ref();
+    addHistory(U.oldTime(), phi);
+
+    const scalarField wall
+    (
+        wallFaceVelocity
+        (
+            U,
+            gradient,
+            rAU,
+            surfaces,
+            wallVelocity,
+            levelSet
+        )
+    );
+
+    const auto cut = [&]
+    (
+        const label facei,
+        const scalar bothFluid,
+        scalar& flux
+    )
+    {
+        const scalar open = geometry_.openness()[facei];
+        if (bothFluid < 0.5)
+        {
+            const direction dir = geometry_.grid().faceDirection(facei);
+            flux = wall[facei]*mesh.faceAreas()[facei][dir];
+        }
+        flux *= open;
+    };
+
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    forAll(mesh.owner(), facei)
+    {
+        cut(facei, fluidFace[facei], phi[facei]);
+    }
+    forAll(phi.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& pphi = phi.boundaryFieldRef()[patchi];
+        const label start = pphi.patch().start();
+        forAll(pphi, i)
+        {
+            // On a patch of the domain the velocity is the patch's own
+            const scalar bothFluid =
+                pphi.coupled() ? fluidFace.boundaryField()[patchi][i] : 1;
+            cut(start + i, bothFluid, pphi[i]);
+        }
+    }
+
+    return tphi;
+}
+
+
+void Foam::fsi::immersedFluid::addHistory
+(
+    const volVectorField& U0,
+    surfaceScalarField& phi
+) const
+{
+    const fvMesh& mesh = phi.mesh();
+    const surfaceScalarField interpolated(fvc::interpolate(U0) & mesh.Sf());
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+
+    const auto add = [&]
+    (
+        const label facei,
+        const scalar bothFluid,
+        const scalar fluxU0,
+        scalar& flux
+    )
+    {
+        if (bothFluid < 0.5 || !faceWasFluid_[facei])
+        {
+            return;
+        }
+        const direction dir = geometry_.grid().faceDirection(facei);
+        const scalar flux0 =
+            faceVelocity_[facei]*mesh.faceAreas()[facei][dir];
+        const scalar difference = flux0 - fluxU0;
+        const scalar coeff =
+            ddtPhiCoeff_ < 0
+          ? 1 - min(mag(difference)/(mag(flux0) + VSMALL), 1.0)
+          : ddtPhiCoeff_;
+        flux += coeff*difference;
+    };
+
+    forAll(mesh.owner(), facei)
+    {
+        add(facei, fluidFace[facei], interpolated[facei], phi[facei]);
+    }
+    forAll(phi.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& pphi = phi.boundaryFieldRef()[patchi];
+        if (pphi.coupled())
+        {
+            const label start = pphi.patch().start();
+            forAll(pphi, i)
+            {
+                add
+                (
+                    start + i,
+                    fluidFace.boundaryField()[patchi][i],
+                    interpolated.boundaryField()[patchi][i],
+                    pphi[i]
+                );
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::immersedFluid::storeFaceVelocity(const surfaceScalarField& phi)
+{
+    const fvMesh& mesh = phi.mesh();
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+
+    const auto store = [&]
+    (
+        const label facei,
+        const scalar bothFluid,
+        const scalar flux
+    )
+    {
+        const scalar open = geometry_.openness()[facei];
+        faceWasFluid_[facei] = bothFluid > 0.5 && open > 0;
+        if (faceWasFluid_[facei])
+        {
+            const direction dir = geometry_.grid().faceDirection(facei);
+            faceVelocity_[facei] =
+                flux/(open*mesh.faceAreas()[facei][dir]);
+        }
+    };
+
+    forAll(mesh.owner(), facei)
+    {
+        store(facei, fluidFace[facei], phi[facei]);
+    }
+    forAll(phi.boundaryField(), patchi)
+    {
+        const fvsPatchScalarField& pphi = phi.boundaryField()[patchi];
+        if (pphi.coupled())
+        {
+            const label start = pphi.patch().start();
+            forAll(pphi, i)
+            {
+                store
+                (
+                    start + i,
+                    fluidFace.boundaryField()[patchi][i],
+                    pphi[i]
+                );
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "interfaceGeometry.H"
+#include "wallTreatment.H"
+#include "levelSetUpdate.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Faces open by less than this are closed
+static const scalar smallestOpenness = 1e-6;
+
+//- Values per mesh face as a surface field; empty faces are left out
+static void setSurfaceField
+(
+    surfaceScalarField& field,
+    const scalarField& perFace
+)
+{
+    const fvMesh& mesh = field.mesh();
+    field.primitiveFieldRef() =
+        SubField<scalar>(perFace, mesh.nInternalFaces());
+
+    for (fvsPatchField<scalar>& pf : field.boundaryFieldRef())
+    {
+        const label start = pf.patch().start();
+        forAll(pf, i)
+        {
+            pf[i] = perFace[start + i];
+        }
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::fsi::interfaceGeometry::acrossFace
+(
+    const label facei,
+    const direction dir
+) const
+{
+    const fvMesh& mesh = grid_.mesh();
+    const label stride = grid_.cells(1).stride(dir);
+    const label own = haloIndex_[mesh.faceOwner()[facei]];
+    return mesh.faceAreas()[facei][dir] > 0 ? own + stride : own - stride;
+}
+
+
+void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
+{
+    const fvMesh& mesh = grid_.mesh();
+    const scalarField& cellDistance = levelSet.cellDistance();
+    const scalarField& cornerDistance = levelSet.cornerDistance();
+    const label nCorners = grid_.nDims() == 2 ? 2 : 4;
+
+    forAll(openness_, facei)
+    {
+        const FixedList<label, 4>& corners = grid_.faceCorners(facei);
+        if (corners[0] < 0)
+        {
+            continue;
+        }
+        FixedList<scalar, 4> distance(Zero);
+        for (label i = 0; i < nCorners; ++i)
+        {
+            distance[i] = cornerDistance[corners[i]];
+        }
+
+        const scalar open = wall_.openness
+        (
+            distance,
+            nCorners,
+            cellDistance[haloIndex_[mesh.faceOwner()[facei]]],
+            cellDistance[acrossFace(facei, grid_.faceDirection(facei))]
+        );
+        openness_[facei] = open < smallestOpenness ? 0 : open;
+    }
+}
+
+
+void Foam::fsi::interfaceGeometry::setCells(const levelSetUpdate& levelSet)
+{
+    const fvMesh& mesh = grid_.mesh();
+    const labelList& owner = mesh.faceOwner();
+    const labelList& neighbour = mesh.faceNeighbour();
+
+    activeCell_ = false;
+    forAll(neighbour, facei)
+    {
+        if (openness_[facei] > 0)
+        {
+            activeCell_[owner[facei]] = true;
+            activeCell_[neighbour[facei]] = true;
+        }
+    }
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (!patch.coupled())
+        {
+            continue;
+        }
+        forAll(patch, i)
+        {
+            if (openness_[patch.start() + i] > 0)
+            {
+                activeCell_[owner[patch.start() + i]] = true;
+            }
+        }
+    }
+
+    forAll(fluidCell_, celli)
+    {
+        fluidCell_[celli] =
+            activeCell_[celli] && levelSet.cellDistance()[haloIndex_[celli]] > 0;
+    }
+}
+
+
+void Foam::fsi::interfaceGeometry::setFields(const levelSetUpdate& levelSet)
+{
+    setSurfaceField(openArea_, openness_);
+
+    // Both cells fluid: the cell across a rank's boundary is judged by its
+    // owner, so the mask is exchanged as a cell field
+    volScalarField mask
+    (
+        IOobject("fluidMask", grid_.mesh().time().timeName(), grid_.mesh()),
+        grid_.mesh(),
+        dimensionedScalar(dimless, Zero)
+    );
+    forAll(fluidCell_, celli)
+    {
+        mask[celli] = fluidCell_[celli] ? 1 : 0;
+    }
+    mask.correctBoundaryConditions();
+
+    const labelUList& own = grid_.mesh().owner();
+    const labelUList& nei = grid_.mesh().neighbour();
+    forAll(own, facei)
+    {
+        fluidFace_[facei] = mask[own[facei]]*mask[nei[facei]];
+    }
+    forAll(fluidFace_.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pm = mask.boundaryField()[patchi];
+        fluidFace_.boundaryFieldRef()[patchi] =
+            pm.coupled()
+          ? pm.patchInternalField()*pm.patchNeighbourField()
+          : pm.patchInternalField();
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::interfaceGeometry::interfaceGeometry
+(
+    const cartesianMesh& grid,
+    const wallTreatment& wall
+)
+:
+    grid_(grid),
+    wall_(wall),
+    haloIndex_(grid.mesh().nCells()),
+    openness_(grid.mesh().nFaces(), 1),
+    fluidCell_(grid.mesh().nCells(), true),
+    activeCell_(grid.mesh().nCells(), true),
+    openArea_
+    (
+        IOobject("openArea", grid.mesh().time().timeName(), grid.mesh()),
+        grid.mesh(),
+        dimensionedScalar("value", dimless, 1)
+    ),
+    fluidFace_
+    (
+        IOobject("fluidFace", grid.mesh().time().timeName(), grid.mesh()),
+        grid.mesh(),
+        dimensionedScalar("value", dimless, 1)
+    )
+{
+    const cartesianBlock block(grid.cells());
+    const cartesianBlock halo(grid.cells(1));
+    const labelVector shift(1, 1, grid.nDims() == 3 ? 1 : 0);
+    forAll(haloIndex_, celli)
+    {
+        haloIndex_[celli] =
+            halo.index(block.ijk(grid.blockIndex()[celli]) + shift);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::interfaceGeometry::update
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    setOpenness(levelSet);
+    setCells(levelSet);
+    setFields(levelSet);
+    setWallFaces(levelSet, surfaces);
+    setWallLinks(levelSet, surfaces);
+}
+
+
+// ************************************************************************* //

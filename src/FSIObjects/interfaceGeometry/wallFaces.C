@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "interfaceGeometry.H"
+#include "wallTreatment.H"
+#include "levelSetUpdate.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fsi::surfacePlace Foam::fsi::interfaceGeometry::nearestPlace
+(
+    const surfaceSet& surfaces,
+    const point& p,
+    const label faceA,
+    const label faceB
+) const
+{
+    surfacePlace place;
+    scalar nearest = GREAT;
+    FixedList<scalar, 3> weights;
+
+    for (const label facei : {faceA, faceB})
+    {
+        if (facei < 0 || facei == place.face)
+        {
+            continue;
+        }
+        const scalar distance =
+            magSqr(surfaces.nearestOnFace(facei, p, weights) - p);
+        if (distance < nearest)
+        {
+            nearest = distance;
+            place.face = facei;
+            place.weights = weights;
+        }
+    }
+
+    if (place.face < 0)
+    {
+        FatalErrorInFunction
+            << "No surface near the wall at " << p
+            << exit(FatalError);
+    }
+    place.nodes = surfaces.faces()[place.face];
+    place.object = surfaces.faceObject()[place.face];
+    return place;
+}
+
+
+void Foam::fsi::interfaceGeometry::setWallFaces
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    const fvMesh& mesh = grid_.mesh();
+    const labelList& owner = mesh.faceOwner();
+    const labelList& nearestFace = levelSet.nearestFace();
+
+    wallFaces_.clear();
+    forAll(openness_, facei)
+    {
+        const label own = owner[facei];
+        const bool internal = facei < mesh.nInternalFaces();
+        const label nei = internal ? mesh.faceNeighbour()[facei] : -1;
+        const bool ownActive = activeCell_[own];
+        const bool neiActive = internal && activeCell_[nei];
+
+        if (openness_[facei] >= 1 || !(ownActive || neiActive))
+        {
+            continue;
+        }
+
+        const direction dir = grid_.faceDirection(facei);
+        const bool upwards = mesh.faceAreas()[facei][dir] > 0;
+        const label lower = upwards ? own : nei;
+        const label upper = upwards ? nei : own;
+
+        wallFace w;
+        w.face = facei;
+        w.dir = dir;
+        w.lower = lower >= 0 && activeCell_[lower] ? lower : -1;
+        w.upper = upper >= 0 && activeCell_[upper] ? upper : -1;
+        w.area = (1 - openness_[facei])*mag(mesh.faceAreas()[facei]);
+        w.place = nearestPlace
+        (
+            surfaces,
+            mesh.faceCentres()[facei],
+            nearestFace[haloIndex_[own]],
+            nearestFace[acrossFace(facei, dir)]
+        );
+        wallFaces_.append(w);
+    }
+}
+
+
+void Foam::fsi::interfaceGeometry::setWallLinks
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    const fvMesh& mesh = grid_.mesh();
+    const scalar h = grid_.spacing();
+    const scalar area = pow(h, grid_.nDims() - 1)*grid_.thickness();
+    const scalarField& distance = levelSet.cellDistance();
+    const labelList& nearestFace = levelSet.nearestFace();
+    const cartesianBlock block(grid_.cells(1));
+
+    // Faces of this rank's fluid cells: an internal face has two sides
+    const auto addLink = [&]
+    (
+        const label facei,
+        const label celli,
+        const direction dir,
+        const label sign
+    )
+    {
+        const label here = haloIndex_[celli];
+        const label there = here + sign*block.stride(dir);
+
+        wallLink link;
+        link.cell = celli;
+        link.face = facei;
+        link.dir = dir;
+        link.wallDistance =
+            wall_.wallDistance(distance[here], min(distance[there], 0.0));
+        link.conductance = area/(link.wallDistance*h);
+
+        point wallPoint(mesh.C()[celli]);
+        wallPoint[dir] += sign*min(link.wallDistance, 1.0)*h;
+        link.place = nearestPlace
+        (
+            surfaces,
+            wallPoint,
+            nearestFace[here],
+            nearestFace[there]
+        );
+        wallLinks_.append(link);
+    };
+
+    wallLinks_.clear();
+    const labelList& owner = mesh.faceOwner();
+    forAll(owner, facei)
+    {
+        if (grid_.faceCorners(facei)[0] < 0)
+        {
+            continue;
+        }
+        const direction dir = grid_.faceDirection(facei);
+        const label sign = mesh.faceAreas()[facei][dir] > 0 ? 1 : -1;
+        const label own = owner[facei];
+
+        if (facei < mesh.nInternalFaces())
+        {
+            const label nei = mesh.faceNeighbour()[facei];
+            if (fluidCell_[own] && !fluidCell_[nei])
+            {
+                addLink(facei, own, dir, sign);
+            }
+            else if (fluidCell_[nei] && !fluidCell_[own])
+            {
+                addLink(facei, nei, dir, -sign);
+            }
+        }
+        else if (fluidCell_[own])
+        {
+            const label patchi = mesh.boundaryMesh().whichPatch(facei);
+            if
+            (
+                mesh.boundaryMesh()[patchi].coupled()
+             && fluidFace_.boundaryField()[patchi]
+                [
+                    facei - mesh.boundaryMesh()[patchi].start()
+                ] < 0.5
+            )
+            {
+                addLink(facei, own, dir, sign);
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

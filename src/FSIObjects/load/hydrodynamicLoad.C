@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "hydrodynamicLoad.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(hydrodynamicLoad, 0);
+    defineRunTimeSelectionTable(hydrodynamicLoad, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fsi::hydrodynamicLoad> Foam::fsi::hydrodynamicLoad::New
+(
+    const fsiSystem& system,
+    const dictionary& dict
+)
+{
+    const word type(dict.lookupOrDefault<word>("load", "wallForce"));
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            dict,
+            "load",
+            type,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+    return cstrIter()(system);
+}
+
+
+// ************************************************************************* //

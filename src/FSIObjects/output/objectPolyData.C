@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectPolyData.H"
+#include "outline.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Row of a matrix in the layout of bodyGroup as a vector
+static vector row
+(
+    const Eigen::MatrixXd& rows,
+    const label nodei,
+    const label copyi,
+    const direction nDims,
+    const scalar planeZ
+)
+{
+    vector value(0, 0, planeZ);
+    for (direction d = 0; d < nDims; ++d)
+    {
+        value[d] = rows(nodei, nDims*copyi + d);
+    }
+    return value;
+}
+
+
+//- Append the springs of a copy
+static void appendSprings
+(
+    polyData& data,
+    const population& objects,
+    const label groupi,
+    const label copyi,
+    label& pointi,
+    label& celli
+)
+{
+    const bodyGroup& group = objects.groups()[groupi];
+    const shapeTemplate& shape = objects.shape(groupi);
+    const direction nDims = objects.nDims();
+    const label start = pointi;
+
+    for (label nodei = 0; nodei < shape.nNodes(); ++nodei)
+    {
+        data.points[pointi] =
+            row(group.positions(), nodei, copyi, nDims, objects.planeZ());
+        data.pointVectors("velocity")[pointi] =
+            row(group.velocities(), nodei, copyi, nDims, 0);
+        ++pointi;
+    }
+
+    forAll(shape.springs(), springi)
+    {
+        const edge& spring = shape.springs()[springi];
+        const label a = start + spring.first(), b = start + spring.second();
+        data.cells[celli] = labelList({a, b});
+        data.cellLabels("object")[celli] = group.objectIds()[copyi];
+        data.cellLabels("shape")[celli] = groupi;
+        data.cellScalars("strain")[celli] =
+            mag(data.points[b] - data.points[a])
+           /shape.restLengths()[springi] - 1;
+        ++celli;
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
+{
+    const surfaceSet& surfaces = objects.surfaces();
+    const bool planar = surfaces.nDims() == 2;
+
+    polyData data(polyData::POLYGONS);
+    data.points = surfaces.points();
+    data.pointVectors("velocity") = surfaces.velocities();
+
+    const label nCells = planar ? surfaces.size() : surfaces.faces().size();
+    data.cells.resize(nCells);
+    labelList& ids = data.cellLabels("object");
+    labelList& shapes = data.cellLabels("shape");
+    ids.resize(nCells);
+    shapes.resize(nCells);
+
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        const label objecti = planar ? celli : surfaces.faceObject()[celli];
+        ids[celli] = objects.objectId(objecti);
+        shapes[celli] = objects.objectGroup(objecti);
+        if (planar)
+        {
+            const label start = surfaces.faceStart()[objecti];
+            data.cells[celli] = outline::loop
+            (
+                SubList<surfaceFace>
+                (
+                    surfaces.faces(),
+                    surfaces.faceStart()[objecti + 1] - start,
+                    start
+                )
+            );
+        }
+        else
+        {
+            data.cells[celli] = labelList(surfaces.faces()[celli]);
+        }
+    }
+    return data;
+}
+
+
+Foam::fsi::polyData Foam::fsi::springPolyData(const population& objects)
+{
+    label nSprings = 0;
+    forAll(objects.groups(), groupi)
+    {
+        nSprings +=
+            objects.groups()[groupi].size()
+           *objects.shape(groupi).springs().size();
+    }
+
+    polyData data(polyData::LINES);
+    data.points.resize(objects.nNodes());
+    data.pointVectors("velocity").resize(objects.nNodes());
+    data.cells.resize(nSprings);
+    data.cellLabels("object").resize(nSprings);
+    data.cellLabels("shape").resize(nSprings);
+    data.cellScalars("strain").resize(nSprings);
+
+    label pointi = 0, celli = 0;
+    forAll(objects.groups(), groupi)
+    {
+        for (label i = 0; i < objects.groups()[groupi].size(); ++i)
+        {
+            appendSprings(data, objects, groupi, i, pointi, celli);
+        }
+    }
+    return data;
+}
+
+
+// ************************************************************************* //

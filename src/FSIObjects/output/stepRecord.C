@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stepRecord.H"
+#include "csvTable.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::wordList Foam::fsi::stepRecord::columns()
+{
+    return wordList
+    ({
+        "time", "deltaT", "objects", "contacts", "smallestGap",
+        "kineticEnergy", "elasticEnergy", "areaChange", "misfit", "rebuilds",
+        "fluidSeconds", "levelSetSeconds", "solidsSeconds", "contactSeconds",
+        "couplingSeconds"
+    });
+}
+
+
+void Foam::fsi::stepRecord::write(csvTable& table) const
+{
+    csvTable::rowWriter row(table);
+    row << time << deltaT << objects << contacts << smallestGap
+        << kineticEnergy << elasticEnergy << areaChange << misfit << rebuilds;
+    for (const scalar s : seconds)
+    {
+        row << s;
+    }
+}
+
+
+void Foam::fsi::stepRecord::log(Ostream& os, const stepTimer& timer) const
+{
+    os  << "Objects: " << objects << ", contacts " << contacts;
+    if (smallestGap < GREAT)
+    {
+        os  << ", smallest gap " << smallestGap;
+    }
+    os  << ", kinetic energy " << kineticEnergy
+        << ", elastic energy " << elasticEnergy
+        << ", area change " << areaChange
+        << ", misfit/h " << misfit
+        << ", rebuilds " << rebuilds
+        << ", step " << timer.stepSeconds() << " s"
+        << ", remaining " << stepTimer::clockString(timer.remaining()).c_str()
+        << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "population.H"
+#include "SubField.H"
+
+// * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
+
+const Foam::word Foam::fsi::population::folder("fsiObjects");
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::population::renumber()
+{
+    groupStart_.resize(groups_.size() + 1);
+    groupStart_ = 0;
+    forAll(groups_, groupi)
+    {
+        groupStart_[groupi + 1] = groupStart_[groupi] + groups_[groupi].size();
+    }
+
+    objectGroup_.resize(groupStart_.last());
+    surfaces_.clear();
+    forAll(groups_, groupi)
+    {
+        const shapeTemplate& s = shapes_[groupi];
+        pointField boundary
+        (
+            SubField<point>(s.points(), s.nBoundaryNodes())
+        );
+        if (nDims_ == 2)
+        {
+            boundary.replace(vector::Z, planeZ_);
+        }
+        for (label copyi = 0; copyi < groups_[groupi].size(); ++copyi)
+        {
+            surfaces_.append(boundary, s.faces());
+        }
+        SubList<label>
+        (
+            objectGroup_, groups_[groupi].size(), groupStart_[groupi]
+        ) = groupi;
+    }
+
+    nodeMass_.resize(surfaces_.points().size());
+    for (label objecti = 0; objecti < size(); ++objecti)
+    {
+        const label start = surfaces_.pointStart()[objecti];
+        const label n = surfaces_.pointStart()[objecti + 1] - start;
+        SubField<scalar>(nodeMass_, n, start) =
+            SubField<scalar>(shapes_[objectGroup_[objecti]].nodeMasses(), n);
+    }
+    updateSurfaces();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::population::population(const Time& time)
+:
+    population(time, 2, 0)
+{
+    readCounters();
+    surfaces_ = surfaceSet(nDims_);
+    readGroups();
+    renumber();
+}
+
+
+Foam::fsi::population::population
+(
+    const Time& time,
+    const direction nDims,
+    const scalar planeZ
+)
+:
+    time_(time),
+    nDims_(nDims),
+    planeZ_(planeZ),
+    nextObjectId_(0),
+    groupStart_(1, Zero),
+    surfaces_(nDims)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::fsi::population::nNodes() const
+{
+    label n = 0;
+    forAll(groups_, groupi)
+    {
+        n += groups_[groupi].size()*shapes_[groupi].nNodes();
+    }
+    return n;
+}
+
+
+Foam::label Foam::fsi::population::objectId(const label objecti) const
+{
+    return groups_[objectGroup_[objecti]].objectIds()[objectCopy(objecti)];
+}
+
+
+Foam::label Foam::fsi::population::findObject(const label objectId) const
+{
+    forAll(groups_, groupi)
+    {
+        const label copyi = groups_[groupi].objectIds().find(objectId);
+        if (copyi >= 0)
+        {
+            return objectIndex(groupi, copyi);
+        }
+    }
+    return -1;
+}
+
+
+Foam::label Foam::fsi::population::findGroup(const word& shapeName) const
+{
+    forAll(shapes_, groupi)
+    {
+        if (shapes_[groupi].name() == shapeName)
+        {
+            return groupi;
+        }
+    }
+    return -1;
+}
+
+
+Foam::label Foam::fsi::population::addShape
+(
+    autoPtr<shapeTemplate> shape,
+    const dictionary& motion
+)
+{
+    if (findGroup(shape->name()) >= 0)
+    {
+        FatalErrorInFunction
+            << "There is a shape named " << shape->name() << " already"
+            << exit(FatalError);
+    }
+    shapes_.append(shape);
+    motions_.append(motion);
+    groups_.append(new bodyGroup(shapes_.last(), motions_.last()));
+    renumber();
+    return groups_.size() - 1;
+}
+
+
+Foam::label Foam::fsi::population::append
+(
+    const label groupi,
+    const point& centre,
+    const tensor& rotation,
+    const vector& velocity,
+    const vector& angularVelocity
+)
+{
+    return append
+    (
+        labelList(1, groupi),
+        pointField(1, centre),
+        tensorField(1, rotation),
+        vectorField(1, velocity),
+        vectorField(1, angularVelocity)
+    ).first();
+}
+
+
+Foam::labelList Foam::fsi::population::append
+(
+    const labelList& groups,
+    const pointField& centres,
+    const tensorField& rotations,
+    const vectorField& velocities,
+    const vectorField& angularVelocities
+)
+{
+    labelList ids(groups.size());
+    forAll(groups, i)
+    {
+        ids[i] = nextObjectId_++;
+        groups_[groups[i]].append
+        (
+            centres[i],
+            rotations[i],
+            velocities[i],
+            angularVelocities[i],
+            ids[i]
+        );
+    }
+    renumber();
+    return ids;
+}
+
+
+void Foam::fsi::population::remove(const label objecti)
+{
+    remove(labelList(1, objecti));
+}
+
+
+void Foam::fsi::population::remove(const labelList& objects)
+{
+    // From behind, so that the indices of those before stay valid
+    labelList descending(objects);
+    sort(descending, std::greater<label>());
+    for (const label objecti : descending)
+    {
+        groups_[objectGroup_[objecti]].remove(objectCopy(objecti));
+    }
+    renumber();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "population.H"
+#include "dictionaryCheck.H"
+#include "IOobjectList.H"
+#include "localIOdictionary.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- A file that is a dictionary for its readers and is written by a function,
+//  one per rank
+template<class Writer>
+class writtenDictionary
+:
+    public regIOobject
+{
+    const Writer& writer_;
+
+public:
+
+    writtenDictionary(const IOobject& io, const Writer& writer)
+    :
+        regIOobject(io),
+        writer_(writer)
+    {}
+
+    virtual const word& type() const
+    {
+        return IOdictionary::typeName;
+    }
+
+    virtual bool writeData(Ostream& os) const
+    {
+        writer_(os);
+        return os.good();
+    }
+};
+
+
+//- Write a dictionary file in the given format
+template<class Writer>
+void writeFile
+(
+    const Time& time,
+    const fileName& instance,
+    const fileName& local,
+    const word& name,
+    const IOstream::streamFormat format,
+    const Writer& writer
+)
+{
+    const writtenDictionary<Writer> file
+    (
+        IOobject
+        (
+            name, instance, local, time,
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        ),
+        writer
+    );
+    const bool written = file.writeObject
+    (
+        format,
+        IOstream::currentVersion,
+        format == IOstream::ASCII
+      ? time.writeCompression()
+      : IOstream::UNCOMPRESSED,
+        true
+    );
+    if (!written)
+    {
+        FatalErrorInFunction
+            << "Cannot write " << file.objectPath() << exit(FatalError);
+    }
+}
+
+
+//- A file that must be there
+IOobject input
+(
+    const Time& time,
+    const fileName& instance,
+    const fileName& local,
+    const word& name
+)
+{
+    return IOobject
+    (
+        name, instance, local, time,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+}
+
+} // End namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::population::readCounters()
+{
+    IOobject io(input(time_, time_.timeName(), "uniform", "fsiPopulation"));
+    if (!io.typeHeaderOk<localIOdictionary>(false))
+    {
+        FatalErrorInFunction
+            << "There is no population of objects in "
+            << io.objectPath() << nl
+            << "Run seedObjects, and decomposePar after it"
+            << exit(FatalError);
+    }
+    const localIOdictionary dict(io);
+    checkKeys(dict, {"FoamFile", "nDims", "planeZ", "nextObjectId"});
+
+    const label n = dict.get<label>("nDims");
+    if (n != 2 && n != 3)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'nDims' in " << dict.name() << " is " << n
+            << " but must be 2 or 3" << exit(FatalIOError);
+    }
+    nDims_ = n;
+    planeZ_ = dict.get<scalar>("planeZ");
+    nextObjectId_ = dict.get<label>("nextObjectId");
+}
+
+
+void Foam::fsi::population::readGroups()
+{
+    const IOobjectList files(time_, time_.caseConstant(), folder);
+    for (const word& name : files.sortedNames())
+    {
+        const IOdictionary shape
+        (
+            input(time_, time_.caseConstant(), folder, name)
+        );
+        shapes_.append(new shapeTemplate(shape));
+
+        // The state refers to what seedObjects wrote
+        const localIOdictionary state
+        (
+            input(time_, time_.timeName(), "uniform"/folder, name)
+        );
+        motions_.append(state.subDict("motion"));
+        groups_.append(new bodyGroup(shapes_.last(), motions_.last()));
+        groups_.last().read(state);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::population::write() const
+{
+    const fileName uniform(fileName(time_.timeName())/"uniform");
+
+    writeFile
+    (
+        time_, time_.timeName(), "uniform", "fsiPopulation", IOstream::ASCII,
+        [&](Ostream& os)
+        {
+            const label precision = os.precision(17);
+            os.writeEntry("nDims", label(nDims_));
+            os.writeEntry("planeZ", planeZ_);
+            os.writeEntry("nextObjectId", nextObjectId_);
+            os.precision(precision);
+        }
+    );
+
+    forAll(groups_, groupi)
+    {
+        writeFile
+        (
+            time_, time_.timeName(), "uniform"/folder,
+            shapes_[groupi].name(), time_.writeFormat(),
+            [&](Ostream& os)
+            {
+                motions_[groupi].writeEntry("motion", os);
+                groups_[groupi].write(os);
+            }
+        );
+    }
+}
+
+
+void Foam::fsi::population::writeShapes() const
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+    forAll(shapes_, groupi)
+    {
+        writeFile
+        (
+            time_, time_.caseConstant(), folder, shapes_[groupi].name(),
+            IOstream::ASCII,
+            [&](Ostream& os) { shapes_[groupi].write(os); }
+        );
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "packing.H"
+#include "StringStream.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Function>
+void Foam::fsi::packing::forCells
+(
+    const boundBox& box,
+    const Function& function
+) const
+{
+    // What is outside the domain is kept in the cells along its sides
+    const auto cell = [&](const scalar distance, const label n)
+    {
+        return label(min(max(distance/cellSize_, 0.0), n - 0.5));
+    };
+    const label iEnd = cell(box.max().x() - domain_.min().x(), nx_);
+    const label jEnd = cell(box.max().y() - domain_.min().y(), ny_);
+
+    for (label j = cell(box.min().y() - domain_.min().y(), ny_); j <= jEnd; ++j)
+    {
+        label i = cell(box.min().x() - domain_.min().x(), nx_);
+        for (; i <= iEnd; ++i)
+        {
+            if (function(i + nx_*j))
+            {
+                return;
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::packing::enter(const label objecti)
+{
+    forCells
+    (
+        outlines_[objecti].bounds(),
+        [&](const label celli)
+        {
+            cells_[celli].append(objecti);
+            return false;
+        }
+    );
+}
+
+
+void Foam::fsi::packing::takeOut(const label objecti)
+{
+    forCells
+    (
+        outlines_[objecti].bounds(),
+        [&](const label celli)
+        {
+            DynamicList<label>& cell = cells_[celli];
+            std::swap(cell[cell.find(objecti)], cell.last());
+            cell.remove();
+            return false;
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::packing::packing
+(
+    const boundBox& domain,
+    const scalar spacing,
+    const wordList& shapeNames,
+    const List<outline>& shapes
+)
+:
+    domain_(domain),
+    spacing_(spacing),
+    shapeNames_(shapeNames),
+    shapes_(shapes),
+    cellSize_(GREAT),
+    search_(0)
+{
+    // Cells about as large as the smallest shape, but not too many of them
+    for (const outline& s : shapes_)
+    {
+        cellSize_ = min(cellSize_, max(s.bounds().span().x(), 3*spacing_));
+    }
+    const scalar lx = domain_.span().x(), ly = domain_.span().y();
+    cellSize_ = min(max(cellSize_, sqrt(lx*ly/1e6)), max(lx, ly));
+    nx_ = label(lx/cellSize_) + 1;
+    ny_ = label(ly/cellSize_) + 1;
+    cells_.resize(nx_*ny_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::fsi::packing::description(const label objecti) const
+{
+    const placedObject& object = objects_[objecti];
+    OStringStream os;
+    os  << "object " << objecti << " (" << shapeNames_[object.shape].c_str()
+        << " of placement " << object.placement.c_str() << ", centre "
+        << object.centre << ')';
+    return os.str();
+}
+
+
+Foam::fsi::outline Foam::fsi::packing::placedOutline
+(
+    const placedObject& object
+) const
+{
+    return shapes_[object.shape].moved(object.rotation, object.centre);
+}
+
+
+Foam::label Foam::fsi::packing::findConflict
+(
+    const outline& candidate,
+    const scalar gap,
+    const label except
+) const
+{
+    const vector margin(gap, gap, gap);
+    const boundBox box
+    (
+        candidate.bounds().min() - margin,
+        candidate.bounds().max() + margin
+    );
+
+    ++search_;
+    label found = -1;
+    forCells
+    (
+        box,
+        [&](const label celli)
+        {
+            for (const label objecti : cells_[celli])
+            {
+                if (objecti == except || lastSearch_[objecti] == search_)
+                {
+                    continue;
+                }
+                lastSearch_[objecti] = search_;
+                if (candidate.closerThan(outlines_[objecti], gap))
+                {
+                    found = objecti;
+                    return true;
+                }
+            }
+            return false;
+        }
+    );
+    return found;
+}
+
+
+bool Foam::fsi::packing::inside
+(
+    const outline& candidate,
+    const boundBox& box,
+    const scalar gap
+)
+{
+    const vector low(candidate.bounds().min() - box.min());
+    const vector high(box.max() - candidate.bounds().max());
+    return min(min(low.x(), low.y()), min(high.x(), high.y())) >= gap;
+}
+
+
+Foam::label Foam::fsi::packing::insert(const placedObject& object)
+{
+    objects_.append(object);
+    outlines_.append(placedOutline(object));
+    lastSearch_.append(0);
+    enter(size() - 1);
+    return size() - 1;
+}
+
+
+void Foam::fsi::packing::move
+(
+    const label objecti,
+    const point& centre,
+    const tensor& rotation,
+    const outline& moved
+)
+{
+    takeOut(objecti);
+    objects_[objecti].centre = centre;
+    objects_[objecti].rotation = rotation;
+    outlines_[objecti] = moved;
+    enter(objecti);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "placement.H"
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::fsi::placement::insertAll
+(
+    packing& space,
+    const UList<placedObject>& objects,
+    const word& key
+) const
+{
+    const label maxNamed = 10;
+    DynamicList<string> refused;
+
+    for (const placedObject& object : objects)
+    {
+        const outline candidate = space.placedOutline(object);
+        const label other = space.findConflict(candidate, minimumGap_);
+        const label objecti = space.insert(object);
+
+        if (!packing::inside(candidate, space.domain(), wallGap_))
+        {
+            refused.append
+            (
+                space.description(objecti)
+              + " is not in the domain with wallGap "
+              + Foam::name(wallGap_)
+            );
+        }
+        if (other >= 0)
+        {
+            const scalar gap = candidate.distance(space.objectOutline(other));
+            refused.append
+            (
+                space.description(objecti)
+              + (gap > 0 ? " is nearer than minimumGap to " : " overlaps ")
+              + space.description(other)
+              + (gap > 0 ? ", distance " + Foam::name(gap) : string())
+            );
+        }
+    }
+
+    if (refused.size())
+    {
+        OSstream& os = FatalIOErrorInFunction(dict_);
+        os  << "Entry '" << key << "' of placement " << name_
+            << " places objects where they cannot be:" << nl;
+        for (label i = 0; i < min(refused.size(), maxNamed); ++i)
+        {
+            os  << "    " << refused[i].c_str() << nl;
+        }
+        if (refused.size() > maxNamed)
+        {
+            os  << "    and " << refused.size() - maxNamed << " more" << nl;
+        }
+        os  << exit(FatalIOError);
+    }
+}
+
+
+// ************************************************************************* //

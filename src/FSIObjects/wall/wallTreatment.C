@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wallTreatment.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(wallTreatment, 0);
+    defineRunTimeSelectionTable(wallTreatment, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fsi::wallTreatment> Foam::fsi::wallTreatment::New
+(
+    const dictionary& dict
+)
+{
+    const word type(dict.lookupOrDefault<word>("wall", "openArea"));
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            dict,
+            "wall",
+            type,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+    return cstrIter()(dict);
+}
+
+
+// ************************************************************************* //

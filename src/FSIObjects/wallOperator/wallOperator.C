@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wallOperator.H"
+#include "sumOverRanks.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::wallOperator::wallOperator(const interfaceGeometry& geometry)
+:
+    geometry_(geometry),
+    nNodes_(0),
+    nObjects_(0)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::wallOperator::transposeSums
+(
+    const scalarField& p,
+    vectorField& force
+) const
+{
+    const UList<wallFace>& faces = geometry_.wallFaces();
+
+    force.setSize(nNodes_);
+    force = Zero;
+    meanPressure_ = 0;
+    forAll(faces, i)
+    {
+        const wallFace& w = faces[i];
+        const scalar lower = w.lower < 0 ? 0 : p[w.lower];
+        const scalar upper = w.upper < 0 ? 0 : p[w.upper];
+        w.place.spread(force, w.dir, w.area*(lower - upper));
+        meanPressure_[w.place.object] += share_[i]*(lower + upper);
+    }
+
+    if (Pstream::parRun())
+    {
+        // One exchange for both: the means behind the forces
+        exchange_.setSize(nNodes_ + nObjects_);
+        SubList<vector>(exchange_, nNodes_) = force;
+        forAll(meanPressure_, objecti)
+        {
+            exchange_[nNodes_ + objecti] =
+                vector(meanPressure_[objecti], 0, 0);
+        }
+        sumOverRanks(exchange_);
+        force = SubList<vector>(exchange_, nNodes_);
+        forAll(meanPressure_, objecti)
+        {
+            meanPressure_[objecti] = exchange_[nNodes_ + objecti].x();
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
+{
+    const UList<wallFace>& faces = geometry_.wallFaces();
+    nNodes_ = surfaces.points().size();
+    pointObject_ = surfaces.pointObject();
+    nObjects_ = surfaces.size();
+    meanPressure_.setSize(nObjects_);
+
+    // Wall area of each object, both sides of a face counted
+    scalarField area(nObjects_, Zero);
+    forAll(faces, i)
+    {
+        const wallFace& w = faces[i];
+        area[w.place.object] +=
+            w.area*(label(w.lower >= 0) + label(w.upper >= 0));
+    }
+    sumOverRanks(area);
+
+    share_.setSize(faces.size());
+    forAll(faces, i)
+    {
+        share_[i] = faces[i].area/max(area[faces[i].place.object], VSMALL);
+    }
+
+    transposeSums
+    (
+        scalarField(geometry_.grid().mesh().nCells(), 1),
+        uniformForce_
+    );
+}
+
+
+void Foam::fsi::wallOperator::flux
+(
+    const vectorField& v,
+    scalarField& Jv
+) const
+{
+    const UList<wallFace>& faces = geometry_.wallFaces();
+
+    // Net flux 1.J v of each object: no exchange, the nodes are on all ranks
+    scalarField& net = meanPressure_;
+    net = 0;
+    forAll(uniformForce_, nodei)
+    {
+        net[pointObject_[nodei]] += uniformForce_[nodei] & v[nodei];
+    }
+
+    grossFlux(v, Jv);
+    forAll(faces, i)
+    {
+        const wallFace& w = faces[i];
+        const scalar spread = share_[i]*net[w.place.object];
+        if (w.lower >= 0)
+        {
+            Jv[w.lower] -= spread;
+        }
+        if (w.upper >= 0)
+        {
+            Jv[w.upper] -= spread;
+        }
+    }
+}
+
+
+void Foam::fsi::wallOperator::grossFlux
+(
+    const vectorField& v,
+    scalarField& Jv
+) const
+{
+    Jv = Zero;
+    for (const wallFace& w : geometry_.wallFaces())
+    {
+        const scalar q = w.area*w.place.interpolate(v, w.dir);
+        if (w.lower >= 0)
+        {
+            Jv[w.lower] += q;
+        }
+        if (w.upper >= 0)
+        {
+            Jv[w.upper] -= q;
+        }
+    }
+}
+
+
+void Foam::fsi::wallOperator::transpose
+(
+    const scalarField& p,
+    vectorField& f
+) const
+{
+    transposeSums(p, f);
+
+    // Less the object's mean pressure times J^T 1
+    forAll(f, nodei)
+    {
+        f[nodei] -= meanPressure_[pointObject_[nodei]]*uniformForce_[nodei];
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "blockPartition.H"
+#include "Pstream.H"
+#include "PstreamReduceOps.H"
+#include "boundBox.H"
+#include <algorithm>
+#include <set>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::fsi::blockPartition::takeBoxes
+(
+    const cartesianMap& map,
+    const label comm
+)
+{
+    const label nRanks = UPstream::nProcs(comm);
+    const label me = UPstream::myProcNo(comm);
+
+    List<FixedList<label, 6>> boxes(nRanks, FixedList<label, 6>(label(0)));
+    for (direction d = 0; d < 3; ++d)
+    {
+        label low = labelMax;
+        label high = 0;
+        for (const labelVector& cell : map.cells())
+        {
+            low = min(low, cell[d]);
+            high = max(high, cell[d] + 1);
+        }
+        boxes[me][2*d] = low;
+        boxes[me][2*d + 1] = high;
+    }
+    Pstream::gatherList(boxes, UPstream::msgType(), comm);
+    Pstream::scatterList(boxes, UPstream::msgType(), comm);
+
+    label nGrid = 1;
+    for (direction d = 0; d < 3; ++d)
+    {
+        std::set<label> cuts{0, map.n()[d]};
+        for (const auto& ends : boxes)
+        {
+            cuts.insert(ends[2*d]);
+        }
+        cuts_[d] = labelList(cuts.begin(), cuts.end());
+        nGrid *= nBoxes(d);
+    }
+    if (nGrid != nRanks)
+    {
+        return false;
+    }
+
+    rank_.setSize(nRanks);
+    rank_ = -1;
+    forAll(boxes, ranki)
+    {
+        labelVector position;
+        for (direction d = 0; d < 3; ++d)
+        {
+            position[d] = cuts_[d].find(boxes[ranki][2*d]);
+            if (cuts_[d][position[d] + 1] < boxes[ranki][2*d + 1])
+            {
+                return false;
+            }
+        }
+        rank_[box(position)] = ranki;
+    }
+    return !rank_.found(-1);
+}
+
+
+void Foam::fsi::blockPartition::makeBoxes
+(
+    const cartesianMap& map,
+    const label nRanks
+)
+{
+    const labelVector& n = map.n();
+    scalar least = GREAT;
+    labelVector best(0, 0, 0);
+    for (label px = 1; px <= min(nRanks, n.x()); ++px)
+    {
+        for (label py = 1; py <= min(nRanks/px, n.y()); ++py)
+        {
+            const label pz = nRanks/(px*py);
+            const scalar surface =
+                scalar(px)/n.x() + scalar(py)/n.y() + scalar(pz)/n.z();
+            if (px*py*pz == nRanks && pz <= n.z() && surface < least)
+            {
+                least = surface;
+                best = labelVector(px, py, pz);
+            }
+        }
+    }
+    if (!best.x())
+    {
+        FatalErrorInFunction
+            << "A lattice of " << n << " cells cannot be cut into " << nRanks
+            << " boxes: use fewer ranks, or GAMG." << exit(FatalError);
+    }
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        cuts_[d].setSize(best[d] + 1);
+        forAll(cuts_[d], i)
+        {
+            // Even places, so that pairs of cells stay together, if possible
+            const label place = label(int64_t(n[d])*i/best[d]);
+            const bool even = n[d] >= 4*best[d] && i < best[d];
+            cuts_[d][i] = even ? 2*((place + 1)/2) : place;
+        }
+    }
+    rank_ = identity(nRanks);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::blockPartition::blockPartition(const cartesianMap& map)
+:
+    cyclic_(map.cyclic())
+{
+    const label comm = map.mesh().comm();
+    const label nRanks =
+        UPstream::parRun() ? UPstream::nProcs(comm) : label(1);
+
+    for (direction d = 0; d < 3; ++d)
+    {
+        pad_[d] = d < 2 || map.n()[d] > 1;
+    }
+    if (nRanks == 1 || !takeBoxes(map, comm))
+    {
+        makeBoxes(map, nRanks);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsi::blockLayout Foam::fsi::blockPartition::layout
+(
+    const label rank
+) const
+{
+    const label mine = rank_.find(rank);
+    const labelVector position
+    (
+        mine % nBoxes(0),
+        (mine/nBoxes(0)) % nBoxes(1),
+        mine/(nBoxes(0)*nBoxes(1))
+    );
+
+    labelVector n, start;
+    FixedList<label, 6> neighbour(label(-1));
+    for (direction d = 0; d < 3; ++d)
+    {
+        start[d] = cuts_[d][position[d]];
+        n[d] = cuts_[d][position[d] + 1] - start[d];
+
+        for (label side = 0; side < 2 && pad_[d]; ++side)
+        {
+            labelVector next(position);
+            next[d] += 2*side - 1;
+            const bool leaves = next[d] < 0 || next[d] >= nBoxes(d);
+            next[d] = (next[d] + nBoxes(d)) % nBoxes(d);
+            if (!leaves || cyclic_[d])
+            {
+                neighbour[2*d + side] = rank_[box(next)];
+            }
+        }
+    }
+    return blockLayout(n, start, pad_, neighbour);
+}
+
+
+Foam::fsi::blockPartition Foam::fsi::blockPartition::whole() const
+{
+    blockPartition one(*this);
+    for (direction d = 0; d < 3; ++d)
+    {
+        one.cuts_[d] = labelList({0, n(d)});
+    }
+    one.rank_ = labelList(1, label(0));
+    return one;
+}
+
+
+Foam::fsi::blockPartition Foam::fsi::blockPartition::coarsened
+(
+    const labelVector& coarsen
+) const
+{
+    blockPartition coarse(*this);
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (label i = 0; i < nBoxes(d) && coarsen[d]; ++i)
+        {
+            const label size = cuts_[d][i + 1] - cuts_[d][i];
+            coarse.cuts_[d][i + 1] = coarse.cuts_[d][i] + (size + 1)/2;
+        }
+    }
+    return coarse;
+}
+
+
+Foam::label Foam::fsi::blockPartition::owner(const labelVector& cell) const
+{
+    labelVector position;
+    for (direction d = 0; d < 3; ++d)
+    {
+        const labelList& cuts = cuts_[d];
+        position[d] = label
+        (
+            std::upper_bound(cuts.begin(), cuts.end(), cell[d])
+          - cuts.begin()
+        ) - 1;
+    }
+    return rank_[box(position)];
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cartesianMultigrid.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fsi::multigridHierarchy::controls Foam::fsi::cartesianMultigrid::read
+(
+    const dictionary& controls
+)
+{
+    multigridHierarchy::controls result;
+    const word cycle = controls.lookupOrDefault<word>("cycle", "W");
+    if (cycle != "V" && cycle != "W")
+    {
+        FatalIOErrorInFunction(controls)
+            << "Unknown cycle " << cycle << ", valid choices: (V W)"
+            << exit(FatalIOError);
+    }
+    result.wCycle = cycle == "W";
+    result.wFrom =
+        controls.lookupOrDefault<label>("wCycleFrom", result.wFrom);
+    result.gatherCells =
+        controls.lookupOrDefault<label>("gatherCells", result.gatherCells);
+    return result;
+}
+
+
+Foam::vector Foam::fsi::cartesianMultigrid::weights
+(
+    const cartesianLattice& lattice
+)
+{
+    vector result;
+    for (direction d = 0; d < 3; ++d)
+    {
+        result[d] = 1/sqr(lattice.map().spacing()[d]);
+    }
+    return result;
+}
+
+
+Foam::scalar Foam::fsi::cartesianMultigrid::total(scalar value) const
+{
+    reduce(value, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    return value;
+}
+
+
+void Foam::fsi::cartesianMultigrid::setFinest(const scalar* added)
+{
+    const stencil<double>& A = matrix_.A();
+    norm_ = 0;
+    for (label r = 0; r < A.ny*A.nz; ++r)
+    {
+        const label row = A.row(r);
+        for (label place = row; place < row + A.nx; ++place)
+        {
+            norm_ = max(norm_, A.diagonal[place]);
+        }
+    }
+    reduce(norm_, maxOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    norm_ = norm_ > 0 ? norm_ : 1;
+
+    multigridLevel& finest = hierarchy_.finest();
+    for (label r = 0; r < A.ny*A.nz; ++r)
+    {
+        const label row = A.row(r);
+        for (direction d = 0; d < (A.threeD ? 3 : 2); ++d)
+        {
+            float* to = finest.face(d).data();
+            for (label place = row; place < row + A.nx; ++place)
+            {
+                to[place] = float(A.face[d][place]/norm_);
+            }
+        }
+        for (label place = row; place < row + A.nx; ++place)
+        {
+            // Rounding of the row sum must not look like a Dirichlet patch
+            scalar excess = matrix_.rowSum()[place];
+            excess = mag(excess) < 1e-12*A.diagonal[place] ? 0 : excess;
+            excess += added ? added[place] : 0;
+            finest.excess()[place] = float(max(excess, scalar(0))/norm_);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::cartesianMultigrid::cartesianMultigrid
+(
+    const polyMesh& mesh,
+    const dictionary& controls
+)
+:
+    lattice_(cartesianLattice::New(mesh)),
+    matrix_(lattice_),
+    hierarchy_
+    (
+        lattice_.partition(),
+        weights(lattice_),
+        read(controls),
+        lattice_.comm()
+    ),
+    nMeshCells_(total(scalar(mesh.nCells()))),
+    norm_(1)
+{
+    for (scalarField* field : {&x_, &r_, &p_, &Ap_})
+    {
+        field->setSize(lattice_.layout().size(), 0);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::cartesianMultigrid::update
+(
+    const lduMatrix& matrix,
+    const FieldField<Field, scalar>& interfaceBouCoeffs,
+    const lduInterfaceFieldPtrsList& interfaces,
+    const scalarField& addedDiagonal
+)
+{
+    matrix_.update(matrix, interfaceBouCoeffs, interfaces);
+
+    const bool adds =
+        returnReduce
+        (
+            addedDiagonal.size() > 0, orOp<bool>(),
+            UPstream::msgType(), lattice_.comm()
+        );
+    if (adds)
+    {
+        // Ap_ is free between two solutions
+        lattice_.transfer().toBlock
+        (
+            addedDiagonal, matrix_.sign(), Ap_.data()
+        );
+    }
+    setFinest(adds ? Ap_.cdata() : nullptr);
+    hierarchy_.update();
+}
+
+
+void Foam::fsi::cartesianMultigrid::precondition
+(
+    scalarField& z,
+    const scalarField& r
+) const
+{
+    // Single precision needs values of order one
+    const scalar size = max(total(sumMag(r))/nMeshCells_, VSMALL);
+
+    multigridLevel& finest = hierarchy_.finest();
+    lattice_.transfer().toBlock(r, 1/size, finest.b().data());
+    hierarchy_.cycle();
+    lattice_.transfer().toCells
+    (
+        finest.x().cdata(), matrix_.sign()*size/norm_, z
+    );
+}
+
+
+// ************************************************************************* //

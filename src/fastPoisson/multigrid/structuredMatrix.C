@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "structuredMatrix.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::fsi::structuredMatrix::target(const label celli) const
+{
+    return
+        lattice_.transfer().local()
+      ? lattice_.layout().globalIndex(lattice_.map().cells()[celli])
+      : celli;
+}
+
+
+void Foam::fsi::structuredMatrix::setInternal(const scalarField& upper)
+{
+    const bool local = lattice_.transfer().local();
+    const List<direction>& dir = lattice_.map().faceDirection();
+    double* to[3];
+    for (direction d = 0; d < 3; ++d)
+    {
+        to[d] = local ? face_[d].data() : cellFace_[d].data();
+    }
+    forAll(upper, facei)
+    {
+        to[dir[facei]][target_[facei]] = -sign_*upper[facei];
+    }
+}
+
+
+void Foam::fsi::structuredMatrix::setPatch
+(
+    const label patchi,
+    const scalarField& coefficients,
+    scalarField& diagonal
+)
+{
+    const labelList& cells = lattice_.map().patchCell()[patchi];
+    const List<direction>& dir = lattice_.map().patchDirection()[patchi];
+    if (cells.size() != coefficients.size())
+    {
+        FatalErrorInFunction
+            << "Patch " << lattice_.map().mesh().boundaryMesh()[patchi].name()
+            << " couples cells but is not a processor or cyclic patch. "
+            << "Use GAMG for this equation." << exit(FatalError);
+    }
+    const bool local = lattice_.transfer().local();
+    forAll(cells, i)
+    {
+        const label celli = cells[i];
+        if (celli >= 0)
+        {
+            const scalar a = sign_*coefficients[i];
+            const direction d = dir[i];
+            if (lattice_.map().n()[d] == 1)
+            {
+                // From both sides
+                diagonal[celli] -= 2*a;
+            }
+            else if (local)
+            {
+                face_[d][target(celli)] = a;
+            }
+            else
+            {
+                cellFace_[d][celli] = a;
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::structuredMatrix::setRowSum()
+{
+    for (label r = 0; r < A_.ny*A_.nz; ++r)
+    {
+        const label row = A_.row(r);
+        for (label place = row; place < row + A_.nx; ++place)
+        {
+            scalar sum = 0;
+            for (direction d = 0; d < nDirections(); ++d)
+            {
+                const label stride = lattice_.layout().stride(d);
+                sum += face_[d][place] + face_[d][place + stride];
+            }
+            rowSum_[place] = diagonal_[place] - sum;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::structuredMatrix::structuredMatrix(const cartesianLattice& lattice)
+:
+    lattice_(lattice),
+    halo_(lattice.layout(), lattice.comm()),
+    target_(lattice.map().faceCell().size()),
+    diagonal_(lattice.layout().size(), Zero),
+    rowSum_(lattice.layout().size(), Zero),
+    A_(lattice.layout()),
+    sign_(1)
+{
+    forAll(target_, facei)
+    {
+        target_[facei] = target(lattice.map().faceCell()[facei]);
+    }
+    for (label d = 0; d < nDirections(); ++d)
+    {
+        face_[d].setSize(lattice.layout().size(), 0);
+        if (!lattice.transfer().local())
+        {
+            cellFace_[d].setSize(lattice.map().cells().size(), 0);
+        }
+    }
+    for (label d = 0; d < 3; ++d)
+    {
+        // Without a third direction its pointer is valid but not used
+        A_.face[d] = face_[d < nDirections() ? d : 0].cdata();
+    }
+    A_.diagonal = diagonal_.cdata();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::structuredMatrix::update
+(
+    const lduMatrix& matrix,
+    const FieldField<Field, scalar>& interfaceBouCoeffs,
+    const lduInterfaceFieldPtrsList& interfaces
+)
+{
+    const label comm = lattice_.comm();
+    scalar total = sum(matrix.diag());
+    reduce(total, sumOp<scalar>(), UPstream::msgType(), comm);
+    sign_ = total < 0 ? -1 : 1;
+
+    scalarField diagonal(sign_*matrix.diag());
+    if (matrix.hasUpper())
+    {
+        setInternal(matrix.upper());
+    }
+    forAll(interfaces, patchi)
+    {
+        if (interfaces.set(patchi))
+        {
+            setPatch(patchi, interfaceBouCoeffs[patchi], diagonal);
+        }
+    }
+
+    const cellTransfer& transfer = lattice_.transfer();
+    transfer.toBlock(diagonal, 1, diagonal_.data());
+    for (direction d = 0; d < nDirections(); ++d)
+    {
+        if (!transfer.local())
+        {
+            transfer.toBlock(cellFace_[d], 1, face_[d].data());
+        }
+        halo_.fillHigh(d, face_[d].data());
+    }
+    setRowSum();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "contactGeometry.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::contactGeometry::contactGeometry(const bool selfContact)
+:
+    selfContact_(selfContact)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::fsi::contactGeometry::facing
+(
+    const surfaceSet& surfaces,
+    const label nodei,
+    const label facei,
+    const vector& offset
+) const
+{
+    const vector& n = nodeNormals_[nodei];
+    const vector faceNormal(surfaces.areaNormal(facei));
+
+    return
+        (n & faceNormal) < -0.5*mag(n)*mag(faceNormal)
+     && (offset & faceNormal) > 0.5*mag(offset)*mag(faceNormal)
+     && (offset & n) < -0.5*mag(offset)*mag(n);
+}
+
+
+Foam::fsi::contactPair Foam::fsi::contactGeometry::pair
+(
+    const surfaceSet& surfaces,
+    const label nodei,
+    const nearestFace& nearest
+) const
+{
+    const surfaceFace& f = surfaces.faces()[nearest.face];
+
+    vector outward(Zero);
+    bool inside = true;
+    for (label i = 0; i < surfaces.nNodes(); ++i)
+    {
+        outward += nearest.weights[i]*nodeNormals_[f[i]];
+        inside = inside && nearest.weights[i] > 1e-9;
+    }
+    const scalar distance = mag(nearest.offset);
+    if (inside || magSqr(outward) < VSMALL)
+    {
+        outward = surfaces.areaNormal(nearest.face);
+    }
+
+    contactPair p;
+    p.node = nodei;
+    p.face = nearest.face;
+    p.wall = -1;
+    p.other = surfaces.faceObject()[nearest.face];
+    p.weights = nearest.weights;
+
+    const scalar side = (nearest.offset & outward) < 0 ? -1 : 1;
+    p.gap = side*distance;
+    p.normal =
+        distance > VSMALL
+      ? side*nearest.offset/distance
+      : outward/max(mag(outward), VSMALL);
+    return p;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::contactGeometry::update(const surfaceSet& surfaces)
+{
+    const pointField& x = surfaces.points();
+    nodeNormals_.setSize(x.size());
+    nodeNormals_ = Zero;
+
+    forAll(surfaces.faces(), facei)
+    {
+        const surfaceFace& f = surfaces.faces()[facei];
+        const vector area(surfaces.areaNormal(facei));
+        const vector n(area/max(mag(area), VSMALL));
+
+        if (surfaces.nDims() == 2)
+        {
+            nodeNormals_[f[0]] += n;
+            nodeNormals_[f[1]] += n;
+            continue;
+        }
+        for (label i = 0; i < 3; ++i)
+        {
+            const vector a(x[f[(i + 1) % 3]] - x[f[i]]);
+            const vector b(x[f[(i + 2) % 3]] - x[f[i]]);
+            nodeNormals_[f[i]] += atan2(mag(a ^ b), a & b)*n;
+        }
+    }
+}
+
+
+void Foam::fsi::contactGeometry::consider
+(
+    const surfaceSet& surfaces,
+    const label nodei,
+    const label facei,
+    const scalar range
+)
+{
+    const label object = surfaces.faceObject()[facei];
+    const bool own = object == surfaces.pointObject()[nodei];
+    if (own && !selfContact_)
+    {
+        return;
+    }
+
+    const point& x = surfaces.points()[nodei];
+    nearestFace candidate;
+    candidate.face = facei;
+    candidate.offset =
+        x - surfaces.nearestOnFace(facei, x, candidate.weights);
+
+    const scalar distanceSqr = magSqr(candidate.offset);
+    if
+    (
+        distanceSqr > sqr(range)
+     || (own && !facing(surfaces, nodei, facei, candidate.offset))
+    )
+    {
+        return;
+    }
+
+    for (nearestFace& known : nearest_)
+    {
+        if (surfaces.faceObject()[known.face] == object)
+        {
+            if (distanceSqr < magSqr(known.offset))
+            {
+                known = candidate;
+            }
+            return;
+        }
+    }
+    nearest_.append(candidate);
+}
+
+
+void Foam::fsi::contactGeometry::append
+(
+    const surfaceSet& surfaces,
+    const label nodei,
+    DynamicList<contactPair>& pairs
+)
+{
+    for (const nearestFace& nearest : nearest_)
+    {
+        pairs.append(pair(surfaces, nodei, nearest));
+    }
+    nearest_.clear();
+}
+
+
+void Foam::fsi::contactGeometry::appendWalls
+(
+    const point& x,
+    const label nodei,
+    const UList<contactWall>& walls,
+    const scalar range,
+    DynamicList<contactPair>& pairs
+)
+{
+    forAll(walls, walli)
+    {
+        const scalar gap = walls[walli].gap(x);
+        if (gap < range)
+        {
+            contactPair p;
+            p.node = nodei;
+            p.face = -1;
+            p.wall = walli;
+            p.other = -1 - walli;
+            p.weights = 0.0;
+            p.gap = gap;
+            p.normal = walls[walli].normal();
+            pairs.append(p);
+        }
+    }
+}
+
+
+// ************************************************************************* //

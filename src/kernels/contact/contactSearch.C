@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "contactSearch.H"
+#include "Switch.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(contactSearch, 0);
+    defineRunTimeSelectionTable(contactSearch, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::contactSearch::contactSearch(const dictionary& dict)
+:
+    geometry_(dict.lookupOrDefault<Switch>("selfContact", false))
+{
+    checkKeys(dict, {"type", "selfContact"});
+}
+
+
+Foam::autoPtr<Foam::fsi::contactSearch> Foam::fsi::contactSearch::New
+(
+    const dictionary& dict
+)
+{
+    const word type(dict.lookupOrDefault<word>("type", "surfaceCells"));
+    const auto iter = dictionaryConstructorTablePtr_->cfind(type);
+    if (!iter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            dict,
+            typeName,
+            type,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+    return autoPtr<contactSearch>(iter()(dict));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "contactSolver.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::contactSolver::contactSolver(const dictionary& dict)
+:
+    tolerance_(readPositive(dict, "tolerance", 1e-4)),
+    maxSweeps_(label(readPositive(dict, "maxSweeps", 100)))
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::contactSolver::relax
+(
+    const contactProblem& problem,
+    const contactRule& rule,
+    const label pairi
+)
+{
+    const contactPair& pair = problem.found.pairs[pairi];
+    const scalar compliance = compliances_[pairi];
+    if (compliance < VSMALL)
+    {
+        return 0;
+    }
+
+    const scalar u =
+        response_.normalVelocity(pair) - compliance*impulses_[pairi];
+    const scalar impulse = rule.impulse
+    (
+        problem.area(pair), pair.gap, u, compliance, problem.dt
+    );
+    endGaps_[pairi] = pair.gap + problem.dt*(u + compliance*impulse);
+
+    const scalar change = impulse - impulses_[pairi];
+    if (change != 0)
+    {
+        response_.addImpulse(pair, change);
+        impulses_[pairi] = impulse;
+    }
+    return mag(change)*compliance*problem.dt;
+}
+
+
+Foam::scalar Foam::fsi::contactSolver::sweep
+(
+    const contactProblem& problem,
+    const contactRule& rule,
+    const bool all,
+    const bool backward
+)
+{
+    const label n = all ? impulses_.size() : active_.size();
+    scalar change = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        const label j = backward ? n - 1 - i : i;
+        change = max(change, relax(problem, rule, all ? j : active_[j]));
+    }
+    return change;
+}
+
+
+void Foam::fsi::contactSolver::reset(const contactProblem& problem)
+{
+    const label nPairs = problem.found.pairs.size();
+
+    response_.reset(problem.surfaces, problem.bodies);
+    compliances_.setSize(nPairs);
+    endGaps_.setSize(nPairs);
+    endGaps_ = GREAT;
+    impulses_.setSize(nPairs);
+    impulses_ = 0;
+    for (label i = 0; i < nPairs; ++i)
+    {
+        compliances_[i] = response_.compliance(problem.found.pairs[i]);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::fsi::contactSolver::solve
+(
+    const contactProblem& problem,
+    const contactRule& rule
+)
+{
+    reset(problem);
+
+    bool all = true;
+    for (label sweepi = 0; sweepi < maxSweeps_; ++sweepi)
+    {
+        const bool converged =
+            sweep(problem, rule, all, sweepi % 2)
+         <= tolerance_*problem.range;
+
+        if (all && converged)
+        {
+            return sweepi + 1;
+        }
+        if (all)
+        {
+            active_.clear();
+            forAll(impulses_, i)
+            {
+                if (impulses_[i] != 0 || endGaps_[i] < 1.2*problem.range)
+                {
+                    active_.append(i);
+                }
+            }
+        }
+        all = converged;
+    }
+    return maxSweeps_;
+}
+
+
+void Foam::fsi::contactSolver::addForces
+(
+    const contactProblem& problem,
+    vectorField& force
+) const
+{
+    forAll(impulses_, pairi)
+    {
+        const contactPair& pair = problem.found.pairs[pairi];
+        const vector f(impulses_[pairi]/problem.dt*pair.normal);
+
+        force[pair.node] += f;
+        if (pair.face >= 0)
+        {
+            const surfaceFace& face = problem.surfaces.faces()[pair.face];
+            for (label i = 0; i < problem.surfaces.nNodes(); ++i)
+            {
+                force[face[i]] -= pair.weights[i]*f;
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "contactWall.H"
+#include "error.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::contactWall::contactWall(const point& p, const vector& normal)
+:
+    point_(p),
+    normal_(normal)
+{
+    const scalar length = mag(normal);
+    if (!(length > VSMALL && length < GREAT))
+    {
+        FatalErrorInFunction
+            << "Contact wall at " << p << ": the normal " << normal
+            << " has no direction" << exit(FatalError);
+    }
+    normal_ /= length;
+}
+
+
+// ************************************************************************* //

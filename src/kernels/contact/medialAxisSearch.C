@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "medialAxisSearch.H"
+#include "addToRunTimeSelectionTable.H"
+
+#include <algorithm>
+#include <nanoflann.hpp>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(medialAxisSearch, 0);
+    addToRunTimeSelectionTable(contactSearch, medialAxisSearch, dictionary);
+
+    //- The nodes as nanoflann reads them
+    struct treeNodes
+    {
+        const pointField& points;
+        const UList<label>& nodes;
+
+        size_t kdtree_get_point_count() const
+        {
+            return nodes.size();
+        }
+
+        scalar kdtree_get_pt(const size_t i, const size_t direction) const
+        {
+            return points[nodes[i]][direction];
+        }
+
+        template<class Box>
+        bool kdtree_get_bbox(Box&) const
+        {
+            return false;
+        }
+    };
+
+    typedef nanoflann::KDTreeSingleIndexAdaptor
+    <
+        nanoflann::L2_Simple_Adaptor<scalar, treeNodes>,
+        treeNodes,
+        -1,
+        unsigned
+    > nodeTree;
+
+    //- Sort and keep one of each
+    template<class Type>
+    static void makeUnique(DynamicList<Type>& list)
+    {
+        std::sort(list.begin(), list.end());
+        list.resize(std::unique(list.begin(), list.end()) - list.begin());
+    }
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::medialAxisSearch::medialAxisSearch(const dictionary& dict)
+:
+    contactSearch(dict)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::medialAxisSearch::collectNodes
+(
+    const surfaceSet& surfaces,
+    const UList<contactMedialPoint>& medialAxis
+)
+{
+    DynamicList<label>& objects = near_[0];
+    objects.clear();
+    for (const contactMedialPoint& p : medialAxis)
+    {
+        objects.append(p.objects[0]);
+        objects.append(p.objects[1]);
+    }
+    makeUnique(objects);
+
+    involved_.clear();
+    for (const label objecti : objects)
+    {
+        if (objecti < 0 || objecti >= surfaces.size())
+        {
+            FatalErrorInFunction
+                << "The medial axis names object " << objecti
+                << ", there are " << surfaces.size() << exit(FatalError);
+        }
+        const label end = surfaces.pointStart()[objecti + 1];
+        for (label i = surfaces.pointStart()[objecti]; i < end; ++i)
+        {
+            involved_.append(i);
+        }
+    }
+}
+
+
+void Foam::fsi::medialAxisSearch::connectFaces(const surfaceSet& surfaces)
+{
+    const List<surfaceFace>& faces = surfaces.faces();
+    const label nNodes = surfaces.nNodes();
+
+    faceStart_.setSize(surfaces.points().size() + 1);
+    faceStart_ = 0;
+    for (const surfaceFace& f : faces)
+    {
+        for (label i = 0; i < nNodes; ++i)
+        {
+            ++faceStart_[f[i]];
+        }
+    }
+    for (label i = 1; i < faceStart_.size(); ++i)
+    {
+        faceStart_[i] += faceStart_[i - 1];
+    }
+    nodeFaces_.setSize(nNodes*faces.size());
+    forAll(faces, facei)
+    {
+        for (label i = 0; i < nNodes; ++i)
+        {
+            nodeFaces_[--faceStart_[faces[facei][i]]] = facei;
+        }
+    }
+}
+
+
+void Foam::fsi::medialAxisSearch::combine(DynamicList<labelPair>& nodePairs)
+{
+    for (label side = 0; side < 2; ++side)
+    {
+        for (const label nodei : near_[side])
+        {
+            for (const label otherNode : near_[1 - side])
+            {
+                if (side == 0)
+                {
+                    nodePairs.append(labelPair(nodei, otherNode));
+                }
+                for
+                (
+                    label i = faceStart_[otherNode];
+                    i < faceStart_[otherNode + 1];
+                    ++i
+                )
+                {
+                    candidates_.append(labelPair(nodei, nodeFaces_[i]));
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::medialAxisSearch::find
+(
+    const surfaceSet& surfaces,
+    const UList<contactWall>& walls,
+    const UList<contactMedialPoint>& medialAxis,
+    const scalar range,
+    contactPairs& found
+)
+{
+    found.clear();
+    candidates_.clear();
+    geometry_.update(surfaces);
+    collectNodes(surfaces, medialAxis);
+    connectFaces(surfaces);
+
+    if (involved_.size())
+    {
+        const treeNodes nodes{surfaces.points(), involved_};
+        nodeTree tree(surfaces.nDims(), nodes);
+        tree.buildIndex();
+
+        std::vector<std::pair<unsigned, scalar>> hits;
+        const nanoflann::SearchParams unsorted(32, 0, false);
+        for (const contactMedialPoint& p : medialAxis)
+        {
+            near_[0].clear();
+            near_[1].clear();
+            tree.radiusSearch(&p.position[0], sqr(range), hits, unsorted);
+            for (const auto& hit : hits)
+            {
+                const label nodei = involved_[hit.first];
+                const label side = p.objects.find(surfaces.pointObject()[nodei]);
+                if (side >= 0)
+                {
+                    near_[side].append(nodei);
+                }
+            }
+            combine(found.nodePairs);
+        }
+    }
+    makeUnique(found.nodePairs);
+    makeUnique(candidates_);
+
+    label next = 0;
+    forAll(surfaces.points(), nodei)
+    {
+        for (; next < candidates_.size(); ++next)
+        {
+            if (candidates_[next].first() != nodei)
+            {
+                break;
+            }
+            geometry_.consider
+            (
+                surfaces, nodei, candidates_[next].second(), range
+            );
+        }
+        geometry_.append(surfaces, nodei, found.pairs);
+        contactGeometry::appendWalls
+        (
+            surfaces.points()[nodei], nodei, walls, range, found.pairs
+        );
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "thesisContact.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(thesisContact, 0);
+    addToRunTimeSelectionTable(contactLaw, thesisContact, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::thesisContact::thesisContact
+(
+    const dictionary& dict,
+    const contactScales& scales
+)
+:
+    stiffness_(readPositive(dict, "stiffness", scales.youngsModulus)),
+    restLength_(readPositive(dict, "restLength", 2)*scales.range),
+    cancel_(dict.lookupOrDefault<Switch>("cancel", true))
+{
+    checkKeys(dict, {"type", "stiffness", "restLength", "cancel"});
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::thesisContact::collect(const contactProblem& problem)
+{
+    collisions_.clear();
+    if (problem.found.nodePairs.size())
+    {
+        collisions_ = problem.found.nodePairs;
+        return;
+    }
+
+    for (const contactPair& pair : problem.found.pairs)
+    {
+        if (pair.face < 0 || pair.gap > problem.range)
+        {
+            continue;
+        }
+        const surfaceFace& f = problem.surfaces.faces()[pair.face];
+        for (label i = 0; i < problem.surfaces.nNodes(); ++i)
+        {
+            collisions_.append
+            (
+                labelPair(min(pair.node, f[i]), max(pair.node, f[i]))
+            );
+        }
+    }
+    std::sort(collisions_.begin(), collisions_.end());
+    collisions_.resize
+    (
+        std::unique(collisions_.begin(), collisions_.end())
+      - collisions_.begin()
+    );
+}
+
+
+void Foam::fsi::thesisContact::repel
+(
+    const label nodei,
+    const scalar area,
+    const vector& offset
+)
+{
+    ++count_[nodei];
+    const scalar d = max(mag(offset), 1e-6*restLength_);
+    if (d < restLength_)
+    {
+        repulsion_[nodei] +=
+            stiffness_*area/restLength_*(restLength_ - d)/d*offset;
+    }
+}
+
+
+Foam::scalar Foam::fsi::thesisContact::energy
+(
+    const scalar area,
+    const scalar d
+) const
+{
+    return 0.25*stiffness_*area/restLength_*sqr(max(restLength_ - d, 0.0));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::thesisContact::addForces
+(
+    const contactProblem& problem,
+    vectorField& force,
+    contactStatistics& statistics
+)
+{
+    const pointField& x = problem.surfaces.points();
+    const scalarField& areas = problem.bodies.areas();
+
+    repulsion_.setSize(x.size());
+    repulsion_ = Zero;
+    count_.setSize(x.size());
+    count_ = 0;
+
+    collect(problem);
+    for (const labelPair& c : collisions_)
+    {
+        const vector offset(x[c.first()] - x[c.second()]);
+        repel(c.first(), areas[c.first()], offset);
+        repel(c.second(), areas[c.second()], -offset);
+    }
+    for (const contactPair& pair : problem.found.pairs)
+    {
+        if (pair.face < 0 && pair.gap < problem.range)
+        {
+            repel(pair.node, areas[pair.node], 2*pair.gap*pair.normal);
+        }
+    }
+
+    // Energy of the springs, with the weights 1/n_c of the forces
+    for (const labelPair& c : collisions_)
+    {
+        const scalar d = mag(x[c.first()] - x[c.second()]);
+        statistics.potentialEnergy +=
+            energy(areas[c.first()], d)/count_[c.first()]
+          + energy(areas[c.second()], d)/count_[c.second()];
+    }
+
+    forAll(count_, nodei)
+    {
+        if (count_[nodei] == 0)
+        {
+            continue;
+        }
+        force[nodei] += repulsion_[nodei]/count_[nodei];
+        if (cancel_)
+        {
+            force[nodei] -=
+                problem.bodies.internalForces()[nodei]
+              + problem.bodies.masses()[nodei]/problem.dt
+               *problem.surfaces.velocities()[nodei];
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "dictionaryCheck.H"
+#include "FlatOutput.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Fatal unless the value of the key holds the condition
+static scalar checked
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar value,
+    const bool valid,
+    const char* condition
+)
+{
+    // Written so that NaN fails as well
+    if (!valid)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name()
+            << " is " << value << " but must be " << condition
+            << exit(FatalIOError);
+    }
+    return value;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::checkKeys(const dictionary& dict, const wordList& known)
+{
+    for (const entry& e : dict)
+    {
+        if (!e.keyword().isPattern() && !known.found(e.keyword()))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Unknown entry '" << e.keyword() << "' in dictionary "
+                << dict.name() << nl
+                << "Valid entries are " << flatOutput(known)
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsi::readPositive
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar defaultValue
+)
+{
+    const scalar value = dict.lookupOrDefault<scalar>(key, defaultValue);
+    return checked(dict, key, value, value > 0 && value < GREAT, "> 0");
+}
+
+
+Foam::scalar Foam::fsi::readPositive(const dictionary& dict, const word& key)
+{
+    const scalar value = dict.get<scalar>(key);
+    return checked(dict, key, value, value > 0 && value < GREAT, "> 0");
+}
+
+
+Foam::scalar Foam::fsi::readNonNegative
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar defaultValue
+)
+{
+    const scalar value = dict.lookupOrDefault<scalar>(key, defaultValue);
+    return checked(dict, key, value, value >= 0 && value < GREAT, ">= 0");
+}
+
+
+Foam::word Foam::fsi::readChoice
+(
+    const dictionary& dict,
+    const word& key,
+    const word& defaultValue,
+    const wordList& choices
+)
+{
+    const word value(dict.lookupOrDefault<word>(key, defaultValue));
+    if (!choices.found(value))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Unknown choice '" << value << "' of entry '" << key
+            << "' in dictionary " << dict.name() << nl
+            << "Valid choices are " << flatOutput(choices)
+            << exit(FatalIOError);
+    }
+    return value;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "admmSolver.H"
+#include "admmLanes.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int lanes>
+void Foam::fsi::admmSolver::load(const state& s, const label copyi)
+{
+    const labelList& rowOf = factor_->rowOf();
+    const label n = shape_.nNodes();
+
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+        for (int i = 0; i < 2; ++i)
+        {
+            const label column = 2*(copyi + lane) + i;
+            const double* x = s.positions.col(column).data();
+            const double* v = s.velocities.col(column).data();
+            const double* f = s.forces.col(column).data();
+            for (label nodei = 0; nodei < n; ++nodei)
+            {
+                const label row = rowOf[nodei];
+                const label place = lanes*(2*row + i) + lane;
+                start_[place] = x[nodei];
+                change_[place] = deltaT_*v[nodei];
+                inertial_[place] =
+                    change_[place] + sqr(deltaT_)*f[nodei]/masses_[row];
+            }
+        }
+    }
+}
+
+
+template<int lanes>
+void Foam::fsi::admmSolver::setRestLengths
+(
+    const state& s,
+    const label copyi
+)
+{
+    const springLaw& law = shape_.law();
+    laneArray<lanes> state = laneArray<lanes>::Zero();
+
+    forAll(shape_.springs(), springi)
+    {
+        const label a = springRows_[2*springi];
+        const label b = springRows_[2*springi + 1];
+        const laneArray<lanes> x =
+            at<lanes>(start_, 2*b) - at<lanes>(start_, 2*a);
+        const laneArray<lanes> y =
+            at<lanes>(start_, 2*b + 1) - at<lanes>(start_, 2*a + 1);
+        const laneArray<lanes> length = (x*x + y*y).sqrt();
+
+        if (law.hasState())
+        {
+            for (int lane = 0; lane < lanes; ++lane)
+            {
+                state[lane] = s.springStates(springi, copyi + lane);
+            }
+        }
+        law.restLengths
+        (
+            lanes,
+            shape_.restLengths()[springi],
+            length.data(),
+            state.data(),
+            deltaT_,
+            at<lanes>(restLengths_, springi).data()
+        );
+    }
+}
+
+
+template<int lanes>
+void Foam::fsi::admmSolver::inertialResidual()
+{
+    forAll(masses_, row)
+    {
+        for (label place = 2*row; place < 2*row + 2; ++place)
+        {
+            at<lanes>(residual_, place) = masses_[row]
+               *(at<lanes>(inertial_, place) - at<lanes>(change_, place));
+        }
+    }
+}
+
+
+template<int lanes>
+Foam::scalar Foam::fsi::admmSolver::addResidual()
+{
+    const label n = 2*lanes*shape_.nNodes();
+    Eigen::Map<Eigen::ArrayXd> change(change_.data(), n);
+    Eigen::Map<const Eigen::ArrayXd> residual(residual_.cdata(), n);
+    change += residual;
+    return shape_.admm().tolerance > 0 ? residual.abs().maxCoeff() : GREAT;
+}
+
+
+template<int lanes>
+void Foam::fsi::admmSolver::store
+(
+    const label copyi,
+    Eigen::MatrixXd& v
+) const
+{
+    const labelList& rowOf = factor_->rowOf();
+    const label n = shape_.nNodes();
+
+    for (int lane = 0; lane < lanes; ++lane)
+    {
+        for (int i = 0; i < 2; ++i)
+        {
+            double* column = v.col(2*(copyi + lane) + i).data();
+            for (label nodei = 0; nodei < n; ++nodei)
+            {
+                column[nodei] =
+                    change_[lanes*(2*rowOf[nodei] + i) + lane]/deltaT_;
+            }
+        }
+    }
+}
+
+
+template<int lanes>
+void Foam::fsi::admmSolver::solveBlock
+(
+    const state& s,
+    const label copyi,
+    Eigen::MatrixXd& v
+)
+{
+    const scalar smallest = shape_.admm().tolerance*shape_.nodeSpacing();
+
+    load<lanes>(s, copyi);
+    setRestLengths<lanes>(s, copyi);
+
+    label iteration = 0;
+    for (; iteration < shape_.admm().iterations; ++iteration)
+    {
+        inertialResidual<lanes>();
+        if (iteration == 0)
+        {
+            springStep<lanes, true>();
+            elementStep<lanes, true>();
+        }
+        else
+        {
+            springStep<lanes, false>();
+            elementStep<lanes, false>();
+        }
+        factor_->solveRows<2*lanes>(residual_.data());
+        if (addResidual<lanes>() < smallest)
+        {
+            ++iteration;
+            break;
+        }
+    }
+    nIterations_ = max(nIterations_, iteration);
+
+    restoreAngularMomentum<lanes>();
+    store<lanes>(copyi, v);
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiation  * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    template void admmSolver::solveBlock<1>
+    (const state&, const label, Eigen::MatrixXd&);
+    template void admmSolver::solveBlock<2>
+    (const state&, const label, Eigen::MatrixXd&);
+    template void admmSolver::solveBlock<4>
+    (const state&, const label, Eigen::MatrixXd&);
+    template void admmSolver::solveBlock<8>
+    (const state&, const label, Eigen::MatrixXd&);
+}
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "admmFactor.H"
+#include "error.H"
+
+#include <Eigen/SparseCholesky>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::admmFactor::store(const Eigen::SparseMatrix<double>& lower)
+{
+    const label n = lower.cols();
+    const label nStrict = lower.nonZeros() - n;
+
+    inverseDiagonal_.resize(n);
+    columnStart_.resize(n + 1);
+    columnRow_.resize(nStrict);
+    columnValue_.resize(nStrict);
+    rowStart_.resize(n + 1);
+    rowColumn_.resize(nStrict);
+    rowValue_.resize(nStrict);
+
+    label entry = 0;
+    rowStart_ = 0;
+    for (label j = 0; j < n; ++j)
+    {
+        columnStart_[j] = entry;
+        for (Eigen::SparseMatrix<double>::InnerIterator it(lower, j); it; ++it)
+        {
+            if (it.row() == j)
+            {
+                inverseDiagonal_[j] = 1/it.value();
+            }
+            else
+            {
+                columnRow_[entry] = it.row();
+                columnValue_[entry] = it.value();
+                ++rowStart_[it.row() + 1];
+                ++entry;
+            }
+        }
+    }
+    columnStart_[n] = entry;
+
+    for (label i = 0; i < n; ++i)
+    {
+        rowStart_[i + 1] += rowStart_[i];
+    }
+    labelList next(rowStart_);
+    for (label j = 0; j < n; ++j)
+    {
+        for (label e = columnStart_[j]; e < columnStart_[j + 1]; ++e)
+        {
+            const label place = next[columnRow_[e]]++;
+            rowColumn_[place] = j;
+            rowValue_[place] = columnValue_[e];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::admmFactor::admmFactor
+(
+    const Eigen::SparseMatrix<double>& matrix,
+    const label nBoundary,
+    const scalar deltaT
+)
+:
+    deltaT_(deltaT),
+    nBoundary_(nBoundary),
+    matrix_(matrix),
+    order_(matrix.rows()),
+    rowOf_(matrix.rows())
+{
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> cholesky(matrix_);
+    if (cholesky.info() != Eigen::Success)
+    {
+        FatalErrorInFunction
+            << "The ADMM matrix for the time step " << deltaT
+            << " s is not positive definite" << exit(FatalError);
+    }
+
+    for (label i = 0; i < rowOf_.size(); ++i)
+    {
+        rowOf_[i] = cholesky.permutationP().indices()[i];
+        order_[rowOf_[i]] = i;
+    }
+
+    store(cholesky.matrixL());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::admmFactor::solve(Eigen::MatrixXd& b) const
+{
+    constexpr int width = 16;
+    const label n = size();
+    std::vector<scalar> rows(width*n, 0);
+
+    for (label first = 0; first < b.cols(); first += width)
+    {
+        const label nColumns = min(label(width), label(b.cols()) - first);
+
+        for (label k = 0; k < nColumns; ++k)
+        {
+            const double* column = b.col(first + k).data();
+            for (label i = 0; i < n; ++i)
+            {
+                rows[width*rowOf_[i] + k] = column[i];
+            }
+        }
+
+        solveRows<width>(rows.data());
+
+        for (label k = 0; k < nColumns; ++k)
+        {
+            double* column = b.col(first + k).data();
+            for (label i = 0; i < n; ++i)
+            {
+                column[i] = rows[width*rowOf_[i] + k];
+            }
+        }
+    }
+}
+
+
+const Eigen::MatrixXd& Foam::fsi::admmFactor::boundaryInverse() const
+{
+    if (boundaryInverse_.size() == 0)
+    {
+        Eigen::MatrixXd columns =
+            Eigen::MatrixXd::Identity(size(), nBoundary_);
+        solve(columns);
+
+        const auto block = columns.topRows(nBoundary_);
+        boundaryInverse_ = 0.5*(block + block.transpose());
+    }
+    return boundaryInverse_;
+}
+
+
+// ************************************************************************* //

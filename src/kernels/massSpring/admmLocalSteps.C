@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "admmSolver.H"
+#include "admmLanes.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Deformation gradient of an element, row by row: the unit matrix plus the
+//  change of the edges times B, so that it is exact at rest
+template<int lanes>
+static inline void deformation
+(
+    const scalarField& start,
+    const scalarField& change,
+    const label* rows,
+    const scalar* E,
+    const scalar* B,
+    laneArray<lanes>* F
+)
+{
+    for (int i = 0; i < 2; ++i)
+    {
+        const laneArray<lanes> d1 =
+            difference<lanes>(start, change, rows[0], rows[1], i) - E[i];
+        const laneArray<lanes> d2 =
+            difference<lanes>(start, change, rows[0], rows[2], i) - E[2 + i];
+        F[2*i] = d1*B[0] + d2*B[2] + scalar(i == 0);
+        F[2*i + 1] = d1*B[1] + d2*B[3] + scalar(i == 1);
+    }
+}
+
+
+//- Add weight*G^T g to the nodes of an element
+template<int lanes>
+static inline void spread
+(
+    const scalar weight,
+    const laneArray<lanes>* g,
+    const label* rows,
+    const scalar* B,
+    scalarField& residual
+)
+{
+    for (int i = 0; i < 2; ++i)
+    {
+        const laneArray<lanes> h1 =
+            weight*(g[2*i]*B[0] + g[2*i + 1]*B[1]);
+        const laneArray<lanes> h2 =
+            weight*(g[2*i]*B[2] + g[2*i + 1]*B[3]);
+        at<lanes>(residual, 2*rows[0] + i) -= h1 + h2;
+        at<lanes>(residual, 2*rows[1] + i) += h1;
+        at<lanes>(residual, 2*rows[2] + i) += h2;
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<int lanes, bool atStart>
+void Foam::fsi::admmSolver::springStep()
+{
+    typedef laneArray<lanes> array;
+
+    forAll(springWeights_, springi)
+    {
+        const label a = springRows_[2*springi];
+        const label b = springRows_[2*springi + 1];
+        auto ux = at<lanes>(springDual_, 2*springi);
+        auto uy = at<lanes>(springDual_, 2*springi + 1);
+
+        array yx = difference<lanes>(start_, change_, a, b, 0);
+        array yy = difference<lanes>(start_, change_, a, b, 1);
+        array gx, gy;
+        if (!atStart)
+        {
+            yx += ux;
+            yy += uy;
+        }
+
+        // (p - y)/y with p the projection onto the rest length
+        const array length = (yx*yx + yy*yy).sqrt().max(VSMALL);
+        const array toRest = at<lanes>(restLengths_, springi)/length - 1;
+
+        if (atStart)
+        {
+            ux = -springRatio_*toRest*yx;
+            uy = -springRatio_*toRest*yy;
+            gx = -ux;
+            gy = -uy;
+        }
+        else
+        {
+            // z - y, then z - u_new - D x = u_old + 2 (z - y)
+            const array dzx = springFraction_*toRest*yx;
+            const array dzy = springFraction_*toRest*yy;
+            gx = ux + 2*dzx;
+            gy = uy + 2*dzy;
+            ux = -dzx;
+            uy = -dzy;
+        }
+
+        const scalar weight = springWeights_[springi];
+        at<lanes>(residual_, 2*a) -= weight*gx;
+        at<lanes>(residual_, 2*a + 1) -= weight*gy;
+        at<lanes>(residual_, 2*b) += weight*gx;
+        at<lanes>(residual_, 2*b + 1) += weight*gy;
+    }
+}
+
+
+template<int lanes, bool atStart>
+void Foam::fsi::admmSolver::elementStep()
+{
+    typedef laneArray<lanes> array;
+    const volumeTerm& term = shape_.elementTerm();
+
+    forAll(elementWeights_, elementi)
+    {
+        const label* rows = &elementRows_[3*elementi];
+        const scalar* E = &term.edges()[4*elementi];
+        const scalar* B = &term.inverseEdges()[4*elementi];
+
+        array toUnit[4];
+        deformation<lanes>(start_, change_, rows, E, B, toUnit);
+        if (!atStart)
+        {
+            for (int i = 0; i < 4; ++i)
+            {
+                toUnit[i] += at<lanes>(elementDual_, 4*elementi + i);
+            }
+        }
+        volumeTerm::toUnitDeterminant
+        (
+            toUnit[0], toUnit[1], toUnit[2], toUnit[3]
+        );
+
+        array g[4];
+        for (int i = 0; i < 4; ++i)
+        {
+            auto u = at<lanes>(elementDual_, 4*elementi + i);
+            if (atStart)
+            {
+                u = -elementRatio_*toUnit[i];
+                g[i] = -u;
+            }
+            else
+            {
+                const array dz = elementFraction_*toUnit[i];
+                g[i] = u + 2*dz;
+                u = -dz;
+            }
+        }
+
+        spread<lanes>(elementWeights_[elementi], g, rows, B, residual_);
+    }
+}
+
+
+// * * * * * * * * * * * * * Explicit Instantiation  * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    template void admmSolver::springStep<1, true>();
+    template void admmSolver::springStep<1, false>();
+    template void admmSolver::springStep<2, true>();
+    template void admmSolver::springStep<2, false>();
+    template void admmSolver::springStep<4, true>();
+    template void admmSolver::springStep<4, false>();
+    template void admmSolver::springStep<8, true>();
+    template void admmSolver::springStep<8, false>();
+    template void admmSolver::elementStep<1, true>();
+    template void admmSolver::elementStep<1, false>();
+    template void admmSolver::elementStep<2, true>();
+    template void admmSolver::elementStep<2, false>();
+    template void admmSolver::elementStep<4, true>();
+    template void admmSolver::elementStep<4, false>();
+    template void admmSolver::elementStep<8, true>();
+    template void admmSolver::elementStep<8, false>();
+}
+}
+
+
+// ************************************************************************* //

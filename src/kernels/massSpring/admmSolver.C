@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "admmSolver.H"
+#include "error.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
+{
+    // Asked for each time, as the shape keeps only the last few factors
+    factor_ = &shape_.factor(dt);
+    if (dt == deltaT_)
+    {
+        return;
+    }
+    deltaT_ = dt;
+
+    const labelList& rowOf = factor_->rowOf();
+    const shapeTemplate::admmControls& controls = shape_.admm();
+
+    springRows_.resize(2*shape_.springs().size());
+    forAll(shape_.springs(), springi)
+    {
+        const edge& ends = shape_.springs()[springi];
+        springRows_[2*springi] = rowOf[ends.first()];
+        springRows_[2*springi + 1] = rowOf[ends.second()];
+    }
+
+    elementRows_.resize(3*shape_.elements().size());
+    forAll(shape_.elements(), elementi)
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            elementRows_[3*elementi + i] =
+                rowOf[shape_.elements()[elementi][i]];
+        }
+    }
+
+    masses_.resize(shape_.nNodes());
+    forAll(masses_, nodei)
+    {
+        masses_[rowOf[nodei]] = shape_.nodeMasses()[nodei];
+    }
+
+    springWeights_ = sqr(dt)*shape_.springWeights(dt);
+    springRatio_ = 1/controls.springWeight;
+    springFraction_ = 1/(1 + controls.springWeight);
+
+    elementWeights_ =
+        sqr(dt)*controls.areaWeight*shape_.areaStiffness()
+       *shape_.elementTerm().volumes();
+    elementRatio_ = 1/controls.areaWeight;
+    elementFraction_ = 1/(1 + controls.areaWeight);
+}
+
+
+void Foam::fsi::admmSolver::resize(const label lanes)
+{
+    const label nNodeValues = 2*lanes*shape_.nNodes();
+    const label nSprings = shape_.springs().size();
+
+    // Never made smaller, so that steps do not allocate
+    if (start_.size() < nNodeValues)
+    {
+        start_.resize(nNodeValues);
+        inertial_.resize(nNodeValues);
+        change_.resize(nNodeValues);
+        residual_.resize(nNodeValues);
+        springDual_.resize(2*lanes*nSprings);
+        restLengths_.resize(lanes*nSprings);
+        elementDual_.resize(4*lanes*shape_.elements().size());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::admmSolver::admmSolver(const shapeTemplate& shape)
+:
+    shape_(shape)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::admmSolver::solve
+(
+    const scalar dt,
+    const state& s,
+    Eigen::MatrixXd& v
+)
+{
+    const label nCopies = s.positions.cols()/2;
+    setTimeStep(dt);
+    v.resize(s.positions.rows(), s.positions.cols());
+    nIterations_ = 0;
+
+    for (label copyi = 0; copyi < nCopies;)
+    {
+        const label left = nCopies - copyi;
+        const label lanes = left >= 8 ? 8 : left >= 4 ? 4 : left >= 2 ? 2 : 1;
+        resize(lanes);
+        switch (lanes)
+        {
+            case 8: solveBlock<8>(s, copyi, v); break;
+            case 4: solveBlock<4>(s, copyi, v); break;
+            case 2: solveBlock<2>(s, copyi, v); break;
+            default: solveBlock<1>(s, copyi, v);
+        }
+        copyi += lanes;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyGroup.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Write a matrix, column by column
+static void writeMatrix
+(
+    Ostream& os,
+    const word& key,
+    const Eigen::MatrixXd& matrix
+)
+{
+    List<scalar> values(matrix.size());
+    std::copy_n(matrix.data(), values.size(), values.begin());
+    os.writeEntry(key, values);
+}
+
+
+//- Read a matrix of the size it has; FatalIOError if the entry has another
+static void readMatrix
+(
+    const dictionary& dict,
+    const word& key,
+    Eigen::MatrixXd& matrix
+)
+{
+    const List<scalar> values(dict.get<List<scalar>>(key));
+    if (values.size() != matrix.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name() << " has "
+            << values.size() << " values but must have "
+            << label(matrix.size()) << exit(FatalIOError);
+    }
+    std::copy_n(values.cbegin(), values.size(), matrix.data());
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::bodyGroup::write(Ostream& os) const
+{
+    const int oldPrecision = os.precision(17);
+
+    os.writeEntry("shape", shape_.name());
+    os.writeEntry("objectIds", objectIds_);
+    writeMatrix(os, "positions", positions_);
+    writeMatrix(os, "velocities", velocities_);
+    writeMatrix(os, "springStates", springStates_);
+
+    os.precision(oldPrecision);
+}
+
+
+void Foam::fsi::bodyGroup::read(const dictionary& dict)
+{
+    const labelList ids(dict.get<labelList>("objectIds"));
+    resize(ids.size());
+    objectIds_ = ids;
+    readMatrix(dict, "positions", positions_);
+    readMatrix(dict, "velocities", velocities_);
+    readMatrix(dict, "springStates", springStates_);
+}
+
+
+void Foam::fsi::bodyGroup::read(Istream& is)
+{
+    read(dictionary(is));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shapeTemplate.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Labels of all members of a list, one after the other
+template<class Labels>
+static labelList flatten(const List<Labels>& lists)
+{
+    labelList flat;
+    for (const Labels& labels : lists)
+    {
+        for (const label i : labels)
+        {
+            flat.append(i);
+        }
+    }
+    return flat;
+}
+
+
+//- The inverse of flatten
+template<class Labels>
+static List<Labels> unflatten(const dictionary& dict, const word& key)
+{
+    const labelList flat(dict.get<labelList>(key));
+    List<Labels> lists(flat.size()/Labels().size());
+
+    label next = 0;
+    for (Labels& labels : lists)
+    {
+        for (label& i : labels)
+        {
+            i = flat[next++];
+        }
+    }
+    return lists;
+}
+
+
+//- The mesh in a dictionary made by shapeTemplate::write()
+static shapeMesh readMesh(const dictionary& dict)
+{
+    shapeMesh mesh;
+    mesh.points = dict.get<pointField>("points");
+    mesh.nBoundary = dict.get<label>("nBoundaryNodes");
+    mesh.faces = unflatten<surfaceFace>(dict, "faces");
+    mesh.elements = unflatten<bodyElement>(dict, "elements");
+    return mesh;
+}
+
+
+//- Fatal unless a field has the size
+static void checkSize
+(
+    const dictionary& dict,
+    const word& key,
+    const label size,
+    const label expected
+)
+{
+    if (size != expected)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name() << " has "
+            << size << " values but must have " << expected
+            << exit(FatalIOError);
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsi::shapeTemplate::admmControls::admmControls(const dictionary& dict)
+:
+    iterations(dict.lookupOrDefault<label>("iterations", 10)),
+    tolerance(readNonNegative(dict, "tolerance", 0)),
+    springWeight(readPositive(dict, "springWeight", 1)),
+    areaWeight(readPositive(dict, "areaWeight", 0.5)),
+    conserving
+    (
+        readChoice
+        (
+            dict, "rotation", "conserving", {"conserving", "implicitEuler"}
+        ) == "conserving"
+    )
+{
+    checkKeys
+    (
+        dict,
+        {"iterations", "tolerance", "springWeight", "areaWeight", "rotation"}
+    );
+    if (iterations < 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'iterations' in dictionary " << dict.name() << " is "
+            << iterations << " but must be > 0" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fsi::shapeTemplate::admmControls::write(Ostream& os) const
+{
+    os.beginBlock("admm");
+    os.writeEntry("iterations", iterations);
+    os.writeEntry("tolerance", tolerance);
+    os.writeEntry("springWeight", springWeight);
+    os.writeEntry("areaWeight", areaWeight);
+    os.writeEntry
+    (
+        "rotation",
+        word(conserving ? "conserving" : "implicitEuler")
+    );
+    os.endBlock();
+}
+
+
+void Foam::fsi::shapeTemplate::write(Ostream& os) const
+{
+    const int oldPrecision = os.precision(17);
+
+    os.writeEntry("name", name_);
+    os.writeEntry("nDims", label(nDims_));
+    os.writeEntry("thickness", thickness_);
+    os.writeEntry("nodeSpacing", nodeSpacing_);
+    materialDict_.writeEntry("material", os);
+    admm_.write(os);
+    os.writeEntry("nBoundaryNodes", mesh_.nBoundary);
+    os.writeEntry("points", static_cast<const List<point>&>(mesh_.points));
+    os.writeEntry("faces", flatten(mesh_.faces));
+    os.writeEntry("elements", flatten(mesh_.elements));
+    os.writeEntry
+    (
+        "springConstants",
+        static_cast<const List<scalar>&>(springConstants_)
+    );
+    os.writeEntry("nodeMasses", static_cast<const List<scalar>&>(nodeMasses_));
+
+    os.precision(oldPrecision);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::shapeTemplate::shapeTemplate(const dictionary& written)
+:
+    shapeTemplate
+    (
+        written.get<word>("name"),
+        written,
+        readMesh(written),
+        readPositive(written, "nodeSpacing"),
+        readPositive(written, "thickness"),
+        direction(written.get<label>("nDims")),
+        false
+    )
+{
+    springConstants_ = written.get<scalarField>("springConstants");
+    nodeMasses_ = written.get<scalarField>("nodeMasses");
+    checkSize
+    (
+        written, "springConstants", springConstants_.size(), springs_.size()
+    );
+    checkSize(written, "nodeMasses", nodeMasses_.size(), nNodes());
+}
+
+
+Foam::fsi::shapeTemplate::shapeTemplate(Istream& is)
+:
+    shapeTemplate(dictionary(is))
+{}
+
+
+// ************************************************************************* //

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "poissonProblem.H"
+#include "gaussLaplacianScheme.H"
+#include "linear.H"
+#include "orthogonalSnGrad.H"
+#include "fvmSup.H"
+#include "fvcSurfaceIntegrate.H"
+#include "fvScalarMatrix.H"
+#include "fixedValueFvPatchFields.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+Foam::wordList patchTypes
+(
+    const Foam::fvMesh& mesh,
+    const Foam::wordList& fixed
+)
+{
+    Foam::wordList types(mesh.boundary().size());
+    forAll(types, patchi)
+    {
+        const Foam::fvPatch& patch = mesh.boundary()[patchi];
+        types[patchi] =
+            Foam::polyPatch::constraintType(patch.type()) ? patch.type()
+          : fixed.found(patch.name()) ? Foam::word("fixedValue")
+          : Foam::word("zeroGradient");
+    }
+    return types;
+}
+
+
+// The scheme that any orthogonal case has, without files
+Foam::fv::gaussLaplacianScheme<Foam::scalar, Foam::scalar> scheme
+(
+    const Foam::fvMesh& mesh
+)
+{
+    using namespace Foam;
+    return fv::gaussLaplacianScheme<scalar, scalar>
+    (
+        mesh,
+        tmp<surfaceInterpolationScheme<scalar>>(new linear<scalar>(mesh)),
+        tmp<fv::snGradScheme<scalar>>
+        (
+            new fv::orthogonalSnGrad<scalar>(mesh)
+        )
+    );
+}
+
+} // End namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::poissonProblem::random
+(
+    const labelVector& ijk,
+    const label seed
+)
+{
+    const scalar mixed =
+        std::sin(12.9898*ijk.x() + 78.233*ijk.y() + 37.719*ijk.z() + seed)
+       *43758.5453;
+    return mixed - std::floor(mixed);
+}
+
+
+void Foam::fsi::poissonProblem::setSource()
+{
+    const List<labelVector>& cells = lattice_.cells();
+    forAll(source_, celli)
+    {
+        const labelVector& c = cells[celli];
+        source_[celli] =
+            random(c, 1) - 0.5
+          + std::sin(0.3*c.x()) + std::cos(0.2*c.y() + 0.1*c.z());
+    }
+    if (singular_)
+    {
+        source_.primitiveFieldRef() -= gAverage(source_.primitiveField());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::poissonProblem::poissonProblem
+(
+    latticeMesh& lattice,
+    const wordList& fixed,
+    const word& fieldName
+)
+:
+    lattice_(lattice),
+    singular_(fixed.empty()),
+    p_
+    (
+        IOobject(fieldName, "0", lattice.mesh()),
+        lattice.mesh(),
+        dimensionedScalar("one", dimless, 1),
+        patchTypes(lattice.mesh(), fixed)
+    ),
+    gamma_
+    (
+        IOobject("gamma", "0", lattice.mesh()),
+        lattice.mesh(),
+        dimensionedScalar("one", dimless, 1)
+    ),
+    source_
+    (
+        IOobject("source", "0", lattice.mesh()),
+        lattice.mesh(),
+        dimensionedScalar("zero", dimless/dimArea, 0)
+    ),
+    added_
+    (
+        IOobject("added", "0", lattice.mesh()),
+        lattice.mesh(),
+        dimensionedScalar("zero", dimless/dimArea, 0)
+    )
+{
+    setSource();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::poissonProblem::randomCoefficients()
+{
+    volScalarField cellValue("cellValue", p_);
+    forAll(cellValue, celli)
+    {
+        cellValue[celli] =
+            std::pow(10, 2*random(lattice_.cells()[celli], 2) - 1);
+    }
+    cellValue.correctBoundaryConditions();
+    gamma_ = linearInterpolate(cellValue);
+}
+
+
+void Foam::fsi::poissonProblem::mask
+(
+    const std::function<bool(const labelVector&)>& solid,
+    const std::function<scalar(const labelVector&, direction)>& open
+)
+{
+    const fvMesh& mesh = lattice_.mesh();
+    volScalarField fluid("fluid", p_);
+    forAll(fluid, celli)
+    {
+        fluid[celli] = solid(lattice_.cells()[celli]) ? 0 : 1;
+    }
+    fluid.correctBoundaryConditions();
+    forAll(gamma_, facei)
+    {
+        const label own = mesh.owner()[facei];
+        const label nei = mesh.neighbour()[facei];
+        const labelVector step =
+            lattice_.cells()[nei] - lattice_.cells()[own];
+        const direction d = step.x() ? 0 : step.y() ? 1 : 2;
+        const labelVector& high = lattice_.cells()[step[d] > 0 ? nei : own];
+        gamma_[facei] = open ? open(high, d) : fluid[own]*fluid[nei];
+    }
+
+    // A row without couplings needs a diagonal; the source is one that this
+    // operator made, so that it is in its range
+    const surfaceScalarField openness(mag(gamma_));
+    added_.primitiveFieldRef() =
+        neg(fvc::surfaceSum(openness)().primitiveField() - SMALL);
+    volScalarField exact("exact", p_);
+    exact.primitiveFieldRef() = source_.primitiveField();
+    exact.correctBoundaryConditions();
+    source_ = scheme(p_.mesh()).fvcLaplacian(gamma_, exact)() - added_*exact;
+}
+
+
+Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
+(
+    const string& controls
+)
+{
+    p_.primitiveFieldRef() = 0;
+    p_.correctBoundaryConditions();
+    IStringStream text(controls);
+    const dictionary dict(text);
+
+    fvScalarMatrix eqn
+    (
+        scheme(p_.mesh()).fvmLaplacian(gamma_, p_)
+      - fvm::Sp(added_, p_)
+     == source_
+    );
+    const solverPerformance performance = eqn.solve(dict);
+
+    poissonResult result
+    {
+        p_.primitiveField(),
+        performance.nIterations(),
+        performance.initialResidual(),
+        performance.finalResidual(),
+        performance.converged()
+    };
+    if (singular_)
+    {
+        result.p -= gAverage(result.p);
+    }
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::difference(const scalarField& a, const scalarField& b)
+{
+    return gMax(mag(a - b)())/max(gMax(mag(b)()), VSMALL);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <gtest/gtest.h>
+
+#include "seedBox.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+
+using namespace Foam;
+using namespace seedBox;
+
+namespace
+{
+
+//- Expect all of a number of pieces in a text
+void expectPieces
+(
+    const std::string& text,
+    const std::vector<std::string>& pieces
+)
+{
+    for (const std::string& piece : pieces)
+    {
+        EXPECT_NE(text.find(piece), std::string::npos) << piece << ": " << text;
+    }
+}
+
+} // End namespace
+
+
+TEST(Placement, refusesOverlapNamingBothObjects)
+{
+    expectPieces
+    (
+        errorOf
+        (
+            "type listed; shape disc; objects ( { centre (0.5 0.5 0); }"
+            "{ centre (0.55 0.5 0); shape cell; } );"
+        ),
+        {
+            "seedObjectsDict", "'objects'", "placement a",
+            "object 1 (cell", "overlaps object 0 (disc", "(0.55 0.5 0)"
+        }
+    );
+    expectPieces
+    (
+        errorOf
+        (
+            "type listed; shape disc; minimumGap 0.03;"
+            "objects ( { centre (0.5 0.5 0); } { centre (0.62 0.5 0); } );"
+        ),
+        {"object 1", "nearer than minimumGap to object 0", "distance 0.02"}
+    );
+}
+
+
+TEST(Placement, refusesObjectsOutsideTheDomain)
+{
+    const std::string inside =
+        "type listed; shape disc; objects ({ centre (1.94 0.5 0); });";
+    EXPECT_EQ(errorOf(inside), "");
+    expectPieces
+    (
+        errorOf(inside + "wallGap 0.02;"),
+        {"object 0 (disc", "not in the domain", "wallGap 0.02"}
+    );
+    expectPieces
+    (
+        errorOf("type lattice; shape disc; counts (30 1 1); jitter 0;"
+            "region { min (1.5 0 0); max (3 1 0); }"),
+        {"not in the domain", "and", "more", "'counts'"}
+    );
+}
+
+
+TEST(Placement, saysHowManyFit)
+{
+    expectPieces
+    (
+        errorOf("type random; shape disc; areaFraction 0.8; maxAttempts 50;"),
+        {"'areaFraction'", "no room for more than", "packed", "minimumGap"}
+    );
+    expectPieces
+    (
+        errorOf("type packed; shape disc; number 1000;"),
+        {"'number'", "1000", "no room for more than"}
+    );
+}
+
+
+TEST(Placement, refusesWrongEntries)
+{
+    expectPieces
+    (
+        errorOf("type heap; shape disc;"),
+        {"'heap'", "listed", "lattice", "random", "packed", "csv"}
+    );
+    expectPieces
+    (
+        errorOf("type random; shape square; number 1;"),
+        {"'square'", "disc", "cell"}
+    );
+    expectPieces
+    (
+        errorOf("type random; shape disc; numbers 1;"),
+        {"'numbers'", "areaFraction"}
+    );
+    expectPieces
+    (
+        errorOf("type random; shape disc; number 1; areaFraction 0.1;"),
+        {"'number'", "'areaFraction'"}
+    );
+    expectPieces
+    (
+        errorOf("type random; shape disc; number 1; minimumGap -1;"),
+        {"'minimumGap'"}
+    );
+    expectPieces
+    (
+        errorOf
+        (
+            "type random; shape disc; number 1;"
+            "region { min (1 0 0); max (0 1 0); }"
+        ),
+        {"'region'", "min < max"}
+    );
+    expectPieces
+    (
+        errorOf("type lattice; shape disc; counts (0 1 1);"), {"'counts'"}
+    );
+}
+
+TEST(Placement, refusesLinesOfAFileByNumber)
+{
+    const fileName file
+    (
+        "/tmp/fsiMeshTests-csv-" + Foam::name(pid())
+    );
+    {
+        OFstream os(file);
+        os  << "x, y\n0.2, 0.3\n0.4, north\n";
+    }
+    expectPieces
+    (
+        errorOf("type csv; shape disc; file \"" + file + "\";"),
+        {"line 3", "north", "'file'", "seedObjectsDict"}
+    );
+    {
+        OFstream os(file);
+        os  << "x, y, colour\n";
+    }
+    expectPieces
+    (
+        errorOf("type csv; shape disc; file \"" + file + "\";"),
+        {"line 1", "colour", "rotation"}
+    );
+    rm(file);
+    expectPieces
+    (
+        errorOf("type csv; shape disc; file \"" + file + "\";"),
+        {"cannot be read", file}
+    );
+}
+
+
+// ************************************************************************* //

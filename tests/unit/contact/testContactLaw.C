@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <gtest/gtest.h>
+
+#include "IStringStream.H"
+#include "potentialContact.H"
+#include "rigidDiscs.H"
+
+using namespace Foam;
+using namespace Foam::fsi;
+
+namespace
+{
+
+const contactScales scales{0.1, 0.3, 50};
+
+dictionary dictOf(const std::string& text)
+{
+    return dictionary(IStringStream(text)());
+}
+
+
+autoPtr<contactLaw> lawOf(const std::string& text)
+{
+    return contactLaw::New(dictOf(text), scales);
+}
+
+
+const std::vector<std::string> potentialLaws
+({
+    "type elastic;",
+    "type Morse; adhesionEnergy 3;",
+    "type LennardJones; adhesionEnergy 3; equilibriumGap 1.2;"
+});
+
+
+//- Two discs of unequal node numbers near each other, moving
+rigidDiscs twoDiscs(const label nA, const label nB, const scalar gap)
+{
+    rigidDiscs world;
+    world.add(circleNodes(1, nA), point(0.3, 0, 0), vector(0.2, 0.1, 0), 0.4, 2);
+    world.add
+    (
+        circleNodes(1, nB),
+        point(0.3, 0, 0) + (2 + gap)*vector(0.8, 0.6, 0),
+        vector(-0.3, 0.05, 0),
+        -0.7
+    );
+    return world;
+}
+
+
+//- Force on object A
+vector forceOn(const rigidDiscs& world, const label objecti)
+{
+    vector sum(Zero);
+    for
+    (
+        label i = world.surfaces.pointStart()[objecti];
+        i < world.surfaces.pointStart()[objecti + 1];
+        ++i
+    )
+    {
+        sum += world.force[i];
+    }
+    return sum;
+}
+
+} // End anonymous namespace
+
+
+TEST(ContactLaw, pressureIsTheSlopeOfTheEnergy)
+{
+    for (const std::string& text : potentialLaws)
+    {
+        autoPtr<contactLaw> law(lawOf(text));
+        const auto& p = dynamic_cast<const potentialContact&>(law());
+        for (scalar gap = 0.0006; gap < 0.35; gap *= 1.07)
+        {
+            const scalar d = 1e-5*gap;
+            const scalar scale = p.repulsion(gap) + 10;
+            EXPECT_NEAR
+            (
+                p.pressure(gap),
+                (p.energy(gap - d) - p.energy(gap + d))/(2*d),
+                1e-6*scale
+            ) << text << gap;
+            if (gap < scales.range)
+            {
+                EXPECT_NEAR
+                (
+                    p.repulsionSlope(gap),
+                    (p.repulsion(gap + d) - p.repulsion(gap - d))/(2*d),
+                    1e-6*(mag(p.repulsionSlope(gap)) + scale/gap)
+                ) << text << gap;
+            }
+        }
+    }
+}
+
+
+TEST(ContactLaw, smoothAtTheRangeAndStrongAtContact)
+{
+    for (const std::string& text : potentialLaws)
+    {
+        autoPtr<contactLaw> law(lawOf(text));
+        const auto& p = dynamic_cast<const potentialContact&>(law());
+        const scalar range = scales.range;
+        EXPECT_EQ(p.energy(range), 0);
+        EXPECT_EQ(p.pressure(range), 0);
+        EXPECT_NEAR(p.energy(0.9999*range), 0, 1e-4) << text;
+        EXPECT_NEAR(p.pressure(0.9999*range), 0, 0.02) << text;
+        EXPECT_GT(p.pressure(1e-3*range), 1e4) << text;
+        EXPECT_GT(p.pressure(-0.1*range), p.pressure(1e-3*range)) << text;
+    }
+}
+
+
+TEST(ContactLaw, adhesionHasItsMinimumAtTheEquilibriumGap)
+{
+    // Far from the cut-off, where the potential is that of the books
+    const contactScales wide{0.1, 3, 50};
+    for (const word type : {"Morse", "LennardJones"})
+    {
+        autoPtr<contactLaw> law
+        (
+            contactLaw::New
+            (
+                dictOf("type " + type + "; adhesionEnergy 3;"), wide
+            )
+        );
+        const auto& p = dynamic_cast<const potentialContact&>(law());
+        EXPECT_NEAR(p.energy(0.1), -3, 0.01) << type;
+        EXPECT_NEAR(p.pressure(0.1), 0, 0.01) << type;
+        EXPECT_LT(p.pressure(0.15), -1) << type;
+        EXPECT_GT(p.pressure(0.07), 1) << type;
+    }
+}
+
+
+TEST(ContactLaw, forcesAndMomentsBalance)
+{
+    for (const std::string& text : potentialLaws)
+    {
+        rigidDiscs world(twoDiscs(37, 52, 0.1));
+        contact law(dictOf("law {" + text + "}"), 2, 0.1, 50);
+        world.advance(law, 0.01);
+
+        scalar size = 0;
+        vector moment(Zero);
+        forAll(world.force, i)
+        {
+            size += mag(world.force[i]);
+            moment += world.surfaces.points()[i] ^ world.force[i];
+        }
+        ASSERT_GT(size, 0.01);
+        EXPECT_LT(mag(sum(world.force)), 1e-15*size);
+        EXPECT_LT(mag(moment), 1e-14*size);
+        EXPECT_EQ(world.statistics.contacts, 1);
+        EXPECT_EQ(world.statistics.objectContacts[0], 1);
+        EXPECT_NEAR(world.statistics.smallestGap, 0.1, 0.005);
+    }
+}
+
+
+TEST(ContactLaw, nodeSpacingDoesNotMatter)
+{
+    // So short a step that positions and velocities hardly change
+    vector coarse(Zero), fine(Zero);
+    for (const label n : {60, 240})
+    {
+        rigidDiscs world(twoDiscs(n, n, 0.12));
+        contact law(dictOf(""), 2, 0.1, 50);
+        world.advance(law, 1e-5);
+        (n == 60 ? coarse : fine) = forceOn(world, 1);
+    }
+    EXPECT_GT(mag(fine), 0.1);
+    EXPECT_LT(mag(coarse - fine), 0.05*mag(fine));
+    EXPECT_GT(fine & vector(0.8, 0.6, 0), 0.999*mag(fine));
+}
+
+
+TEST(ContactLaw, sameInAMovingFrameAndInTheMirror)
+{
+    vector base(Zero), moving(Zero), mirrored(Zero);
+    for (label variant = 0; variant < 3; ++variant)
+    {
+        rigidDiscs world(twoDiscs(40, 40, 0.1));
+        for (rigidDiscs::disc& d : world.discs)
+        {
+            if (variant == 1)
+            {
+                d.velocity += vector(30, -20, 0);
+            }
+            if (variant == 2)
+            {
+                d.centre.x() *= -1;
+                d.velocity.x() *= -1;
+                d.spin *= -1;
+            }
+        }
+        contact law(dictOf("law { tolerance 1e-14; }"), 2, 0.1, 50);
+        world.advance(law, 0.01);
+        (variant == 0 ? base : variant == 1 ? moving : mirrored) =
+            forceOn(world, 0);
+    }
+    mirrored.x() *= -1;
+    ASSERT_GT(mag(base), 0.1);
+    EXPECT_LT(mag(moving - base), 1e-9*mag(base));
+    EXPECT_LT(mag(mirrored - base), 1e-10*mag(base));
+}
+
+
+TEST(ContactLaw, thesisPushesApartAndVanishesAtItsLength)
+{
+    vector last(vector::max);
+    for (const scalar gap : {0.05, 0.15, 0.25})
+    {
+        rigidDiscs world(twoDiscs(60, 60, gap));
+        contact law
+        (
+            dictOf("law { type thesis; cancel no; restLength 0.9; }"), 2, 0.1, 50
+        );
+        world.advance(law, 0.01);
+        const vector f(forceOn(world, 1));
+        EXPECT_GT(f & vector(0.8, 0.6, 0), 0);
+        EXPECT_LT(mag(f), mag(last));
+        last = f;
+    }
+    rigidDiscs world(twoDiscs(60, 60, 0.28));
+    contact law
+    (
+        dictOf("law { type thesis; cancel no; restLength 0.9; }"), 2, 0.1, 50
+    );
+    world.advance(law, 0.01);
+    EXPECT_EQ(mag(forceOn(world, 1)), 0);
+}
+
+
+TEST(ContactLaw, thesisCancelStopsCollidingNodes)
+{
+    rigidDiscs world(twoDiscs(60, 60, 0.1));
+    contact law
+    (
+        dictOf("law { type thesis; stiffness 1e-12; }"), 2, 0.1, 50
+    );
+    ASSERT_TRUE(law.needsInternalForces());
+    const scalar dt = 0.01;
+    world.update();
+    world.bodies.internalForces() = vector(1, 2, 0);
+    law.calculate
+    (
+        world.surfaces, world.bodies, world.walls,
+        UList<contactMedialPoint>(), dt, world.force
+    );
+    label nStopped = 0;
+    forAll(world.force, i)
+    {
+        if (mag(world.force[i]) > 0)
+        {
+            const vector impulse(dt*(world.force[i] + vector(1, 2, 0)));
+            const vector before
+            (
+                world.bodies.masses()[i]*world.surfaces.velocities()[i]
+            );
+            EXPECT_LT(mag(impulse + before), 1e-12);
+            ++nStopped;
+        }
+    }
+    EXPECT_GT(nStopped, 4);
+}
+
+
+TEST(ContactLaw, noneCountsOnly)
+{
+    rigidDiscs world(twoDiscs(60, 60, 0.1));
+    contact law(dictOf("law { type none; }"), 2, 0.1, 50);
+    world.advance(law, 0.01);
+    EXPECT_EQ(sum(mag(world.force)), 0);
+    EXPECT_EQ(world.statistics.contacts, 1);
+}
+
+
+TEST(ContactLaw, badInput)
+{
+    for
+    (
+        const char* text :
+        {
+            "type rubber;", "stifness 1;", "stiffness 0;", "stiffness -1;",
+            "restitution 0;", "restitution 1.1;", "tolerance 0;",
+            "type Morse;", "type Morse; adhesionEnergy 1; equilibriumGap 3;",
+            "type LennardJones; adhesionEnergy 1; width 2;",
+            "type thesis; restitution 1;", "type none; stiffness 1;"
+        }
+    )
+    {
+        EXPECT_THROW(lawOf(text), Foam::IOerror) << text;
+    }
+    for (const char* text : {"range 0;", "gap 1;", "minimumGap -1;"})
+    {
+        EXPECT_THROW(contact(dictOf(text), 2, 0.1, 50), Foam::IOerror) << text;
+    }
+    EXPECT_THROW(contact(dictOf(""), 2, 0.1, 0), Foam::IOerror);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <gtest/gtest.h>
+
+#include "IStringStream.H"
+#include "rigidDiscs.H"
+
+using namespace Foam;
+using namespace Foam::fsi;
+
+namespace
+{
+
+const scalar h = 0.2;
+
+contact contactOf(const std::string& text)
+{
+    return contact(dictionary(IStringStream(text)()), 2, h, 1);
+}
+
+
+//- What happens between two discs that meet
+struct collision
+{
+    scalar energyRatio = 0, gap = GREAT;
+    scalar momentumError = 0, angularError = 0;
+
+    //- Speeds at which they part and met
+    scalar after, before;
+
+    collision(rigidDiscs& world, contact& law, const scalar dt, const scalar t)
+    {
+        const vector p(world.momentum());
+        const scalar l = world.angularMomentum();
+        const scalar e = world.kineticEnergy();
+        before = mag(world.discs[1].velocity - world.discs[0].velocity);
+        for (label i = 0; i*dt < t; ++i)
+        {
+            const scalar kinetic = world.kineticEnergy();
+            world.advance(law, dt);
+            energyRatio = max
+            (
+                energyRatio, (kinetic + world.statistics.potentialEnergy)/e
+            );
+            gap = min(gap, world.statistics.smallestGap);
+            momentumError = max(momentumError, mag(world.momentum() - p));
+            angularError = max(angularError, mag(world.angularMomentum() - l));
+        }
+        const vector away(world.discs[1].centre - world.discs[0].centre);
+        after =
+            (world.discs[1].velocity - world.discs[0].velocity)
+          & (away/mag(away));
+    }
+};
+
+
+rigidDiscs headOn(const scalar offset)
+{
+    rigidDiscs world;
+    world.add(circleNodes(1, 48), {-1.6, offset/2, 0}, {0.5, 0, 0}, 0.3, 2);
+    world.add(circleNodes(1, 48), {1.6, -offset/2, 0}, {-0.5, 0, 0});
+    return world;
+}
+
+} // End anonymous namespace
+
+
+TEST(ContactRigid, keepsMomentumAddsNoEnergyParts)
+{
+    for (const scalar offset : {0.0, 0.7, 1.5})
+    {
+        for (const scalar courant : {0.02, 0.1, 0.5})
+        {
+            for (const char* stiffness : {"0.3", "1", "100"})
+            {
+                rigidDiscs world(headOn(offset));
+                contact law
+                (
+                    contactOf("law { stiffness " + word(stiffness) + "; }")
+                );
+                const collision c(world, law, courant*h/0.5, 12);
+                EXPECT_LT(c.energyRatio, 1.001);
+                EXPECT_LT(c.momentumError, 1e-12);
+                EXPECT_LT(c.angularError, 1e-12);
+                EXPECT_GT(c.gap, 0.02*h);
+                EXPECT_LT(c.gap, 3*h);
+                EXPECT_GT(c.after, 0.2*(1 - offset/2));
+                EXPECT_EQ(world.statistics.contacts, 0) << "they stick";
+            }
+        }
+    }
+}
+
+
+TEST(ContactRigid, restitution)
+{
+    // The time step takes energy too: the loss beyond e falls with it
+    for (const scalar e : {1.0, 0.8, 0.5})
+    {
+        scalar lastError = GREAT;
+        for (const scalar courant : {0.04, 0.01, 0.0025})
+        {
+            rigidDiscs world(headOn(0));
+            world.discs[0].spin = 0;
+            contact law
+            (
+                contactOf("law { restitution " + std::to_string(e) + "; }")
+            );
+            const collision c(world, law, courant*h/0.5, 5);
+            const scalar error = e - c.after/c.before;
+            EXPECT_GT(error, -1e-4);
+            EXPECT_LT(error, 0.5*lastError);
+            lastError = error;
+        }
+        EXPECT_LT(lastError, 0.01);
+    }
+}
+
+
+TEST(ContactRigid, wallAndFixedDiscSendBack)
+{
+    rigidDiscs world;
+    world.add(circleNodes(1, 48), {0, 0, 0}, {0.5, 0, 0});
+    world.add(circleNodes(1, 48), {-3, 0, 0}, Zero, 0, 1, false);
+    world.walls.append(contactWall({2, 0, 0}, {-1, 0, 0}));
+    contact law(contactOf(""));
+    label nTurns = 0;
+    for (label i = 0; i < 6000; ++i)
+    {
+        const scalar v = world.discs[0].velocity.x();
+        world.advance(law, 0.01);
+        nTurns += v*world.discs[0].velocity.x() < 0;
+        ASSERT_GT(world.statistics.smallestGap, 0.1*h);
+    }
+    EXPECT_GE(nTurns, 8);
+    EXPECT_EQ(world.discs[1].centre.x(), -3);
+    EXPECT_GT(world.kineticEnergy(), 0.02);
+}
+
+
+TEST(ContactRigid, overlapAtTheStartIsPushedApartWithoutAJump)
+{
+    rigidDiscs world(headOn(0));
+    world.discs[0].centre = {-0.97, 0, 0};
+    world.discs[1].centre = {0.97, 0, 0};
+    for (rigidDiscs::disc& d : world.discs)
+    {
+        d.velocity = Zero;
+    }
+    contact law(contactOf(""));
+    world.advance(law, 0.02);
+    ASSERT_LT(world.statistics.smallestGap, -0.05);
+    const scalar energy = world.statistics.potentialEnergy;
+    for (label i = 0; i < 100; ++i)
+    {
+        world.advance(law, 0.02);
+        EXPECT_LE(world.kineticEnergy(), energy);
+    }
+    EXPECT_GT(world.statistics.smallestGap, 0);
+}
+
+
+TEST(ContactRigid, adhesionHolds)
+{
+    // Slow discs stay together at the equilibrium gap, and leave when faster
+    for (const scalar speed : {0.05, 2.0})
+    {
+        rigidDiscs world(headOn(0));
+        world.discs[0].spin = 0;
+        world.discs[0].velocity = vector(speed/2, 0, 0);
+        world.discs[1].velocity = vector(-speed/2, 0, 0);
+        contact law
+        (
+            contactOf("law { type Morse; adhesionEnergy 0.5; stiffness 20; }")
+        );
+        for (label i = 0; i < 10000; ++i)
+        {
+            world.advance(law, 0.01);
+        }
+        if (speed < 1)
+        {
+            EXPECT_NEAR(world.statistics.smallestGap, h, 0.3*h);
+            EXPECT_LT(world.kineticEnergy(), 1e-3);
+        }
+        else
+        {
+            EXPECT_EQ(world.statistics.contacts, 0);
+        }
+    }
+}
+
+
+TEST(ContactRigid, limitStopsTheApproachAtTheMinimumGap)
+{
+    rigidDiscs world(headOn(0));
+    world.discs[0].spin = 0;
+    world.discs[0].centre = {-1.05, 0, 0};
+    world.discs[1].centre = {1.05, 0, 0};
+    contact law(contactOf("minimumGap 0.25;"));
+    world.update();
+    const scalar dt = 0.2;
+    const label n =
+        law.limit(world.surfaces, world.bodies, world.walls, dt, world.force);
+    ASSERT_GT(n, 0);
+    scalar onFirst = 0;
+    for (label i = 0; i < 48; ++i)
+    {
+        onFirst += world.force[i].x();
+    }
+    EXPECT_LT(mag(sum(world.force)), 1e-13);
+
+    // 0.1 becomes 0.05: the relative velocity -1 becomes -0.25
+    const scalar v = 0.5 + dt*onFirst/2 - (-0.5 - dt*onFirst/1);
+    EXPECT_NEAR(v, 0.25, 0.03);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <gtest/gtest.h>
+#include <nanoflann.hpp>
+
+#include <ctime>
+
+#include "IStringStream.H"
+#include "Random.H"
+#include "rigidDiscs.H"
+
+using namespace Foam;
+using namespace Foam::fsi;
+
+namespace
+{
+
+const UList<contactMedialPoint> noAxis;
+
+autoPtr<contactSearch> searchOf(const char* text)
+{
+    return contactSearch::New(dictionary(IStringStream(text)()));
+}
+
+
+//- n x n discs at the given distance of centres, slightly out of line
+surfaceSet lattice(const label n, const label nNodes, const scalar distance)
+{
+    surfaceSet surfaces(2);
+    Random random(1);
+    for (label i = 0; i < n*n; ++i)
+    {
+        pointField x(circleNodes(1, nNodes));
+        x += distance*vector(i % n, i/n, 0)
+          + 0.1*vector(random.sample01<scalar>(), random.sample01<scalar>(), 0);
+        surfaces.append(x, polygonFaces(nNodes));
+    }
+    return surfaces;
+}
+
+
+//- Octahedra in space
+surfaceSet octahedra(const label n)
+{
+    surfaceSet surfaces(3);
+    Random random(2);
+    const pointField corners
+    ({
+        {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}
+    });
+    List<surfaceFace> faces(8);
+    for (label i = 0; i < 8; ++i)
+    {
+        const label a = i & 1, b = 2 + ((i >> 1) & 1), c = 4 + ((i >> 2) & 1);
+        const bool odd = (a + b + c) % 2;
+        faces[i] = surfaceFace({a, odd ? c : b, odd ? b : c});
+    }
+    for (label i = 0; i < n; ++i)
+    {
+        surfaces.append
+        (
+            pointField
+            (
+                corners + 4*cmptMultiply(random.sample01<vector>(), vector::one)
+            ),
+            faces
+        );
+    }
+    return surfaces;
+}
+
+
+//- All pairs by trying every node with every face
+contactPairs bruteForce(const surfaceSet& surfaces, const scalar range)
+{
+    contactPairs found;
+    contactGeometry geometry(false);
+    geometry.update(surfaces);
+    forAll(surfaces.points(), nodei)
+    {
+        forAll(surfaces.faces(), facei)
+        {
+            geometry.consider(surfaces, nodei, facei, range);
+        }
+        geometry.append(surfaces, nodei, found.pairs);
+    }
+    return found;
+}
+
+
+//- The same nodes, objects and gaps
+void expectSame(const contactPairs& a, const contactPairs& b)
+{
+    typedef std::tuple<label, label, scalar> row;
+    std::vector<row> rows[2];
+    for (const contactPairs* found : {&a, &b})
+    {
+        for (const contactPair& p : found->pairs)
+        {
+            rows[found == &b].push_back(row(p.node, p.other, p.gap));
+        }
+        std::sort(rows[found == &b].begin(), rows[found == &b].end());
+    }
+    EXPECT_EQ(rows[0], rows[1]);
+}
+
+
+//- Seconds of one search, the least of some tries
+scalar seconds(contactSearch& search, const surfaceSet& surfaces)
+{
+    scalar least = GREAT;
+    contactPairs found;
+    for (label i = 0; i < 7; ++i)
+    {
+        const clock_t start = clock();
+        search.find(surfaces, UList<contactWall>(), noAxis, 0.5, found);
+        least = min(least, scalar(clock() - start)/CLOCKS_PER_SEC);
+    }
+    return least;
+}
+
+
+//- Points as nanoflann reads them
+struct pointCloud
+{
+    const pointField& points;
+
+    size_t kdtree_get_point_count() const { return points.size(); }
+
+    scalar kdtree_get_pt(const size_t i, const size_t d) const
+    {
+        return points[i][d];
+    }
+
+    template<class Box>
+    bool kdtree_get_bbox(Box&) const { return false; }
+};
+
+
+//- Seconds of the same search with a k-d tree of the face centres
+scalar treeSeconds(const surfaceSet& surfaces, const scalar range)
+{
+    typedef nanoflann::KDTreeSingleIndexAdaptor
+    <
+        nanoflann::L2_Simple_Adaptor<scalar, pointCloud>, pointCloud, 2,
+        unsigned
+    > tree;
+
+    const clock_t start = clock();
+    pointField centres(surfaces.faces().size());
+    scalar reach = 0;
+    forAll(centres, i)
+    {
+        const surfaceFace& f = surfaces.faces()[i];
+        centres[i] = 0.5*(surfaces.points()[f[0]] + surfaces.points()[f[1]]);
+        reach = max(reach, mag(centres[i] - surfaces.points()[f[0]]) + range);
+    }
+    const pointCloud cloud{centres};
+    tree index(2, cloud);
+    index.buildIndex();
+
+    contactGeometry geometry(false);
+    geometry.update(surfaces);
+    DynamicList<contactPair> pairs;
+    std::vector<std::pair<unsigned, scalar>> hits;
+    forAll(surfaces.points(), nodei)
+    {
+        index.radiusSearch
+        (
+            &surfaces.points()[nodei][0], sqr(reach), hits,
+            nanoflann::SearchParams(32, 0, false)
+        );
+        for (const auto& hit : hits)
+        {
+            geometry.consider(surfaces, nodei, hit.first, range);
+        }
+        geometry.append(surfaces, nodei, pairs);
+    }
+    return scalar(clock() - start)/CLOCKS_PER_SEC;
+}
+
+} // End anonymous namespace
+
+
+TEST(ContactSearch, cellsFindWhatBruteForceFinds)
+{
+    const surfaceSet surfaces(lattice(5, 20, 2.2));
+    for (const scalar range : {0.25, 0.5, 1.3})
+    {
+        contactPairs found;
+        searchOf("")->find
+        (
+            surfaces, UList<contactWall>(), noAxis, range, found
+        );
+        EXPECT_GT(found.pairs.size(), 0);
+        expectSame(found, bruteForce(surfaces, range));
+    }
+}
+
+
+TEST(ContactSearch, cellsFindWhatBruteForceFindsInSpace)
+{
+    const surfaceSet surfaces(octahedra(12));
+    ASSERT_NEAR(surfaces.volume(0), 4.0/3, 1e-12);
+    contactPairs found;
+    searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.7, found);
+    EXPECT_GT(found.pairs.size(), 20);
+    expectSame(found, bruteForce(surfaces, 0.7));
+}
+
+
+TEST(ContactSearch, gapIsNegativeInside)
+{
+    surfaceSet surfaces(2);
+    surfaces.append(circleNodes(1, 40), polygonFaces(40));
+    pointField x(circleNodes(0.2, 9));
+    x += vector(0.9, 0, 0);
+    surfaces.append(x, polygonFaces(9));
+
+    contactPairs found;
+    searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.3, found);
+    label nInside = 0;
+    for (const contactPair& p : found.pairs)
+    {
+        if (p.other == 0)
+        {
+            const scalar r = mag(surfaces.points()[p.node]);
+            EXPECT_NEAR(p.gap, r - 1, 4e-3);
+            EXPECT_GT(p.normal & surfaces.points()[p.node], 0);
+            nInside += p.gap < 0;
+        }
+    }
+    EXPECT_GT(nInside, 3);
+}
+
+
+TEST(ContactSearch, walls)
+{
+    surfaceSet surfaces(2);
+    surfaces.append(circleNodes(1, 64), polygonFaces(64));
+    const List<contactWall> walls({contactWall({0, -1.1, 0}, {0, 3, 0})});
+
+    contactPairs found;
+    searchOf("")->find(surfaces, walls, noAxis, 0.2, found);
+    ASSERT_GT(found.pairs.size(), 0);
+    for (const contactPair& p : found.pairs)
+    {
+        EXPECT_EQ(p.wall, 0);
+        EXPECT_NEAR(p.gap, surfaces.points()[p.node].y() + 1.1, 1e-14);
+        EXPECT_LT(p.gap, 0.2);
+    }
+    EXPECT_THROW(contactWall(Zero, Zero), Foam::error);
+}
+
+
+TEST(ContactSearch, medialAxis)
+{
+    // Two discs 0.3 apart; the axis between them is the line x = 0
+    surfaceSet surfaces(2);
+    for (const scalar side : {-1, 1})
+    {
+        pointField x(circleNodes(1, 60));
+        x += vector(1.15*side, 0, 0);
+        surfaces.append(x, polygonFaces(60));
+    }
+    List<contactMedialPoint> axis;
+    for (label i = -1; i <= 1; ++i)
+    {
+        axis.append({point(0, 0.1*i, 0), FixedList<label, 2>({0, 1})});
+    }
+
+    contactPairs found;
+    searchOf("type medialAxis;")->find
+    (
+        surfaces, UList<contactWall>(), axis, 0.4, found
+    );
+    EXPECT_GT(found.nodePairs.size(), 10);
+    for (const labelPair& p : found.nodePairs)
+    {
+        EXPECT_EQ(surfaces.pointObject()[p.first()], 0);
+        EXPECT_EQ(surfaces.pointObject()[p.second()], 1);
+        EXPECT_LT(mag(surfaces.points()[p.first()]), 0.51);
+    }
+
+    // The nearest pairs are the exact ones
+    scalar smallest[2] = {GREAT, GREAT};
+    for (const contactPair& p : found.pairs)
+    {
+        smallest[0] = min(smallest[0], p.gap);
+    }
+    for (const contactPair& p : bruteForce(surfaces, 0.4).pairs)
+    {
+        smallest[1] = min(smallest[1], p.gap);
+    }
+    EXPECT_EQ(smallest[0], smallest[1]);
+
+    axis[0].objects[1] = 2;
+    EXPECT_THROW
+    (
+        searchOf("type medialAxis;")->find
+        (
+            surfaces, UList<contactWall>(), axis, 0.4, found
+        ),
+        Foam::error
+    );
+}
+
+
+TEST(ContactSearch, selfContact)
+{
+    // A letter C with a mouth 0.2 wide, its corners far from the mouth rounded
+    // by nodes 0.1 apart
+    const pointField corners
+    ({
+        {0, 0, 0}, {2, 0, 0}, {2, 0.4, 0}, {0.5, 0.4, 0},
+        {0.5, 0.6, 0}, {2, 0.6, 0}, {2, 1, 0}, {0, 1, 0}
+    });
+    DynamicList<point> nodes;
+    forAll(corners, i)
+    {
+        const vector edge(corners[(i + 1) % 8] - corners[i]);
+        const label n = std::round(mag(edge)/0.1);
+        for (label j = 0; j < n; ++j)
+        {
+            nodes.append(corners[i] + edge*j/n);
+        }
+    }
+    surfaceSet surfaces(2);
+    surfaces.append(pointField(nodes), polygonFaces(nodes.size()));
+
+    contactPairs found;
+    searchOf("selfContact yes;")->find
+    (
+        surfaces, UList<contactWall>(), noAxis, 0.3, found
+    );
+    EXPECT_GT(found.pairs.size(), 20);
+    for (const contactPair& p : found.pairs)
+    {
+        const point& x = surfaces.points()[p.node];
+        EXPECT_GE(x.x(), 0.5);
+        EXPECT_TRUE(mag(x.y() - 0.4) < 1e-9 || mag(x.y() - 0.6) < 1e-9);
+        EXPECT_NEAR(p.gap, 0.2, 1e-9);
+    }
+
+    searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.3, found);
+    EXPECT_EQ(found.pairs.size(), 0);
+
+    surfaceSet disc(2);
+    disc.append(circleNodes(1, 30), polygonFaces(30));
+    searchOf("selfContact yes;")->find
+    (
+        disc, UList<contactWall>(), noAxis, 0.8, found
+    );
+    EXPECT_EQ(found.pairs.size(), 0);
+}
+
+
+TEST(ContactSearch, costIsLinear)
+{
+    autoPtr<contactSearch> search(searchOf(""));
+    const surfaceSet few(lattice(13, 20, 2.2)), many(lattice(39, 20, 2.2));
+    const scalar small = seconds(search(), few), large = seconds(search(), many);
+    const scalar tree = treeSeconds(many, 0.5);
+    RecordProperty("seconds_3380_nodes", std::to_string(small));
+    RecordProperty("seconds_30420_nodes", std::to_string(large));
+    std::cout
+        << "search: 3,380 nodes " << small << " s, 30,420 nodes " << large
+        << " s; k-d tree " << tree << " s" << std::endl;
+
+    // 9 times the nodes; n^2 would be 81, caches may cost a factor of two
+    EXPECT_LT(large, 25*small);
+}
+
+
+TEST(ContactSearch, badInput)
+{
+    EXPECT_THROW(searchOf("type tree;"), Foam::IOerror);
+    EXPECT_THROW(searchOf("selfcontact yes;"), Foam::IOerror);
+}
+
+
+// ************************************************************************* //

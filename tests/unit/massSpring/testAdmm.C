@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "samples.H"
+
+#include <gtest/gtest.h>
+
+using namespace samples;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+const string rubber("density 1000; E 1e4;");
+
+
+//- Momentum of the input, M v^n + dt F, of a copy, and its moment about zero
+vector inputMomentum
+(
+    const bodyGroup& group,
+    const Eigen::MatrixXd& force,
+    const scalar dt,
+    const label copyi,
+    scalar& moment
+)
+{
+    vector sum(Zero);
+    moment = 0;
+    const scalarField& m = group.shape().nodeMasses();
+    forAll(m, i)
+    {
+        const label c = 2*copyi;
+        const scalar px = m[i]*group.velocities()(i, c) + dt*force(i, c);
+        const scalar py =
+            m[i]*group.velocities()(i, c + 1) + dt*force(i, c + 1);
+        sum += vector(px, py, 0);
+        moment +=
+            group.positions()(i, c)*py - group.positions()(i, c + 1)*px;
+    }
+    return sum;
+}
+
+
+//- Implicit Euler by Newton's method with a Jacobian from differences
+Eigen::VectorXd newton
+(
+    const shapeTemplate& shape,
+    const bodyGroup& start,
+    const Eigen::MatrixXd& force,
+    const scalar dt
+)
+{
+    const label n = 2*shape.nNodes();
+    auto trial = groupOf(shape);
+    trial->append(Zero, tensor::I, Zero, Zero, 0);
+    Eigen::Map<Eigen::VectorXd> x(trial->positions().data(), n);
+    const Eigen::Map<const Eigen::VectorXd> x0(start.positions().data(), n);
+    const Eigen::Map<const Eigen::VectorXd> v0(start.velocities().data(), n);
+    const Eigen::Map<const Eigen::VectorXd> f(force.data(), n);
+
+    const scalar m = shape.nodeMasses()[0];
+    const Eigen::VectorXd inertial = x0 + dt*v0 + dt*dt/m*f;
+    Eigen::MatrixXd internal;
+    auto residual = [&]()
+    {
+        trial->internalForce(internal);
+        const Eigen::Map<const Eigen::VectorXd> g(internal.data(), n);
+        return Eigen::VectorXd(m*(x - inertial) - dt*dt*g);
+    };
+
+    x = x0 + dt*v0;
+    for (label iteration = 0; iteration < 12; ++iteration)
+    {
+        const Eigen::VectorXd r = residual();
+        Eigen::MatrixXd jacobian(n, n);
+        const scalar step = 1e-7*shape.nodeSpacing();
+        for (label j = 0; j < n; ++j)
+        {
+            const scalar old = x[j];
+            x[j] = old + step;
+            const Eigen::VectorXd up = residual();
+            x[j] = old - step;
+            jacobian.col(j) = (up - residual())/(2*step);
+            x[j] = old;
+        }
+        x -= jacobian.partialPivLu().solve(r);
+    }
+    return (x - x0)/dt;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(admm, convergesToNewtonsImplicitEuler)
+{
+    auto shape = disc
+    (
+        rubber, "iterations 5000; tolerance 1e-14; rotation implicitEuler;", 0.04
+    );
+    auto group = groupOf(*shape);
+    group->append(Zero, tensor::I, vector(0.3, 0.1, 0), vector(0, 0, 4), 0);
+
+    // A strained start
+    group->positions().col(0) *= 1.1;
+    group->positions().col(1) *= 0.93;
+    const Eigen::MatrixXd force = unevenForce(*group, 20);
+
+    for (const scalar dt : {2e-3, 2e-2})
+    {
+        Eigen::MatrixXd v;
+        group->predict(0, dt, force, v);
+        const Eigen::VectorXd reference = newton(*shape, *group, force, dt);
+        const Eigen::Map<const Eigen::VectorXd> found(v.data(), v.size());
+        EXPECT_LT
+        (
+            (found - reference).cwiseAbs().maxCoeff()*dt,
+            1e-8*shape->nodeSpacing()
+        ) << "dt = " << dt;
+
+        // The force does act: this is not a rigid motion
+        EXPECT_GT(found.cwiseAbs().maxCoeff(), 0.1);
+    }
+}
+
+
+TEST(admm, bodyAtRestStaysExactly)
+{
+    auto shape = disc(rubber);
+    auto group = groupOf(*shape);
+    group->append(Zero, tensor::I, Zero, Zero, 0);
+    const Eigen::MatrixXd start = group->positions();
+    run(*group, Eigen::MatrixXd::Zero(shape->nNodes(), 2), 1e-2, 20);
+    EXPECT_EQ((group->positions() - start).cwiseAbs().maxCoeff(), 0);
+    EXPECT_EQ(group->velocities().cwiseAbs().maxCoeff(), 0);
+}
+
+
+TEST(admm, freeFallIsExact)
+{
+    auto shape = disc(rubber);
+    auto group = groupOf(*shape);
+    group->append(point(0.4, 0.7, 0), tensor::I, vector(1, 0, 0), Zero, 0);
+    const Eigen::MatrixXd start = group->positions();
+
+    const scalar g = -9.81, dt = 1e-2;
+    const label n = 50;
+    Eigen::MatrixXd force = Eigen::MatrixXd::Zero(shape->nNodes(), 2);
+    forAll(shape->nodeMasses(), i)
+    {
+        force(i, 1) = g*shape->nodeMasses()[i];
+    }
+    run(*group, force, dt, n);
+
+    // Implicit Euler's sum of the velocities
+    const scalar fall = g*dt*dt*n*(n + 1)/2;
+    const Eigen::MatrixXd moved = group->positions() - start;
+    EXPECT_LT((moved.col(0).array() - n*dt).abs().maxCoeff(), 1e-11);
+    EXPECT_LT((moved.col(1).array() - fall).abs().maxCoeff(), 1e-11);
+    EXPECT_LT(group->elasticEnergy(), 1e-18*group->kineticEnergy());
+}
+
+
+TEST(admm, doesNotDependOnTheDirection)
+{
+    auto shape = disc(rubber);
+    const scalar angle = 0.7;
+    const tensor turn
+    (
+        std::cos(angle), -std::sin(angle), 0,
+        std::sin(angle), std::cos(angle), 0,
+        0, 0, 1
+    );
+    auto straight = groupOf(*shape);
+    auto turned = groupOf(*shape);
+    const vector v(1, 0.4, 0), omega(0, 0, 5);
+    straight->append(Zero, tensor::I, v, omega, 0);
+    turned->append(Zero, turn, turn & v, omega, 0);
+
+    Eigen::Matrix2d R;
+    R << turn.xx(), turn.xy(), turn.yx(), turn.yy();
+    const Eigen::MatrixXd force = unevenForce(*straight, 5);
+    run(*straight, force, 5e-3, 10);
+    run(*turned, force*R.transpose(), 5e-3, 10);
+
+    EXPECT_GT(straight->elasticEnergy(), 1e-3*straight->kineticEnergy());
+    EXPECT_LT
+    (
+        (straight->positions()*R.transpose() - turned->positions())
+            .cwiseAbs().maxCoeff(),
+        1e-11*0.1
+    );
+}
+
+
+TEST(admm, momentaAreExactAfterAnyNumberOfIterations)
+{
+    for (const label iterations : {1, 3, 10})
+    {
+        auto shape = disc(rubber, "iterations " + name(iterations) + ";");
+        auto group = groupOf(*shape);
+        for (label i = 0; i < 5; ++i)
+        {
+            const vector omega(0, 0, 2.0*i);
+            group->append(point(i, 0, 0), tensor::I, vector(1, i, 0), omega, i);
+        }
+        const scalar dt = 5e-3;
+        const Eigen::MatrixXd force = unevenForce(*group, 30);
+        Eigen::MatrixXd v;
+        group->predict(0, dt, force, v);
+
+        auto after = groupOf(*shape);
+        for (label i = 0; i < 5; ++i)
+        {
+            after->append(Zero, tensor::I, Zero, Zero, i);
+        }
+        after->positions() = group->positions();
+        after->velocities() = v;
+        const Eigen::MatrixXd none = 0*force;
+        for (label i = 0; i < 5; ++i)
+        {
+            scalar moment, expectedMoment;
+            const vector expected =
+                inputMomentum(*group, force, dt, i, expectedMoment);
+            const vector found = inputMomentum(*after, none, dt, i, moment);
+            EXPECT_LT(mag(found - expected), 1e-12*mag(expected));
+            EXPECT_NEAR(moment, expectedMoment, 1e-12*mag(expectedMoment));
+        }
+    }
+}
+
+
+TEST(admm, stiffBodyTurnsForEver)
+{
+    // dt^2 k/m is about 500
+    auto shape = disc("density 1000; E 1.2e7;", "", 0.0117);
+    const scalar dt = 3e-3, omega = 20;
+    const scalar stiffness =
+        sqr(dt)*average(shape->springConstants())/shape->nodeMasses()[0];
+    EXPECT_GT(stiffness, 400);
+
+    auto group = groupOf(*shape);
+    group->append(Zero, tensor::I, Zero, vector(0, 0, omega), 0);
+    const scalar L = group->angularMomentum(0).z();
+    const scalar energy = group->kineticEnergy();
+
+    const Eigen::MatrixXd force = Eigen::MatrixXd::Zero(shape->nNodes(), 2);
+    Eigen::MatrixXd v;
+    for (label step = 0; step < 2100; ++step)
+    {
+        group->predict(step*dt, dt, force, v);
+        group->prepareResponse(dt);
+        group->constrainVolume(dt, v);
+        group->move(dt, v);
+    }
+
+    // Twenty turns
+    EXPECT_NEAR(group->angularMomentum(0).z(), L, 1e-9*L);
+    EXPECT_NEAR(group->angularVelocity(0).z(), omega, 1e-3*omega);
+    EXPECT_NEAR(group->kineticEnergy(), energy, 2e-3*energy);
+    EXPECT_NEAR(group->volume(0), shape->referenceVolume(), 1e-14);
+    EXPECT_LT(group->elasticEnergy(), 1e-3*energy);
+}
+
+
+TEST(admm, implicitEulerLosesAngularMomentumAsItMust)
+{
+    // The part (omega dt)^2 in each step
+    auto shape = disc(rubber, "rotation implicitEuler; iterations 50;");
+    auto group = groupOf(*shape);
+    const scalar omega = 2, dt = 1e-2;
+    group->append(Zero, tensor::I, Zero, vector(0, 0, omega), 0);
+    const scalar L = group->angularMomentum(0).z();
+    const label n = 100;
+    run(*group, Eigen::MatrixXd::Zero(shape->nNodes(), 2), dt, n);
+
+    const scalar loss = 1 - group->angularMomentum(0).z()/L;
+    EXPECT_NEAR(loss, n*sqr(omega*dt), 0.1*n*sqr(omega*dt));
+}
+
+
+TEST(admm, oneFactorisationForAThousandCopies)
+{
+    auto shape = disc(rubber, "", 0.04);
+    auto group = groupOf(*shape);
+    for (label i = 0; i < 1000; ++i)
+    {
+        group->append(point(i, 0, 0), tensor::I, vector(i, 0, 0), Zero, i);
+    }
+    const Eigen::MatrixXd force = unevenForce(*group, 1);
+    Eigen::MatrixXd v;
+    for (label step = 0; step < 3; ++step)
+    {
+        group->predict(0, 1e-2, force, v);
+        group->prepareResponse(1e-2);
+        group->move(1e-2, v);
+    }
+    EXPECT_EQ(shape->nFactorisations(), 1);
+
+    // The last few time steps are kept
+    for (label repeat = 0; repeat < 3; ++repeat)
+    {
+        for (const scalar dt : {1e-2, 2e-2, 4e-2, 8e-2})
+        {
+            shape->factor(dt);
+        }
+    }
+    EXPECT_EQ(shape->nFactorisations(), 4);
+}
+
+
+TEST(admm, copiesDoNotFeelEachOther)
+{
+    // Any number of copies, so any division into blocks, gives the same bits
+    auto shape = disc(rubber);
+    auto all = groupOf(*shape);
+    for (label i = 0; i < 15; ++i)
+    {
+        all->append(point(i, 0, 0), tensor::I, vector(1, 0, 0), Zero, i);
+    }
+    const Eigen::MatrixXd force = unevenForce(*all, 10);
+    run(*all, force, 5e-3, 3);
+
+    for (const label copyi : {0, 7, 8, 12, 14})
+    {
+        auto one = groupOf(*shape);
+        one->append(point(copyi, 0, 0), tensor::I, vector(1, 0, 0), Zero, 0);
+        run(*one, force.middleCols(2*copyi, 2), 5e-3, 3);
+        const Eigen::MatrixXd difference =
+            one->positions() - all->positions().middleCols(2*copyi, 2);
+        EXPECT_EQ(difference.cwiseAbs().maxCoeff(), 0) << "copy " << copyi;
+    }
+}
+
+
+TEST(admm, toleranceEndsTheIteration)
+{
+    auto loose = disc(rubber, "iterations 1000; tolerance 1e-3;");
+    auto tight = disc(rubber, "iterations 1000; tolerance 1e-9;");
+    Eigen::MatrixXd v[2];
+    label n[2];
+    for (label i = 0; i < 2; ++i)
+    {
+        const shapeTemplate& shape = i ? *tight : *loose;
+        auto group = groupOf(shape);
+        group->append(Zero, tensor::I, Zero, Zero, 0);
+        admmSolver solver(shape);
+        solver.solve
+        (
+            1e-2,
+            {
+                group->positions(),
+                group->velocities(),
+                unevenForce(*group, 10),
+                Eigen::MatrixXd()
+            },
+            v[i]
+        );
+        n[i] = solver.nIterations();
+    }
+    EXPECT_LT(n[0], n[1]);
+    EXPECT_LT(n[1], 1000);
+    EXPECT_LT(1e-2*(v[0] - v[1]).cwiseAbs().maxCoeff(), 1e-2*0.02);
+}
+
+
+TEST(admm, invertedElementsTurnBack)
+{
+    auto shape = disc(rubber, "", 0.03);
+    auto group = groupOf(*shape);
+    group->append(Zero, tensor::I, Zero, Zero, 0);
+
+    // Push an inner node out of its triangles
+    const label node = shape->nNodes() - 1;
+    group->positions()(node, 0) += 1.5*shape->nodeSpacing();
+    auto smallest = [&]()
+    {
+        scalar volume = GREAT;
+        shapeMesh now(shape->mesh());
+        forAll(now.points, i)
+        {
+            now.points[i].x() = group->positions()(i, 0);
+            now.points[i].y() = group->positions()(i, 1);
+        }
+        return min(min(now.elementVolumes()), volume);
+    };
+    EXPECT_LT(smallest(), 0);
+    run(*group, Eigen::MatrixXd::Zero(shape->nNodes(), 2), 1e-2, 200);
+    EXPECT_GT(smallest(), 0.5*min(shape->mesh().elementVolumes()));
+}
+
+
+// ************************************************************************* //
