@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "couplingModel.H"
+#include "objectContact.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,11 +20,12 @@ namespace fsi
 Foam::fsi::couplingModel::couplingModel
 (
     fsiSystem& system,
-    const dictionary& dict
+    stepTimer& timer,
+    const dictionary&
 )
 :
     system_(system),
-    dict_(dict),
+    timer_(timer),
     wallVelocity_(system.objects.surfaces().velocities()),
     hydrodynamicForce_(system.objects.surfaces().points().size(), Zero)
 {
@@ -35,7 +37,8 @@ Foam::fsi::couplingModel::couplingModel
 
 Foam::autoPtr<Foam::fsi::couplingModel> Foam::fsi::couplingModel::New
 (
-    fsiSystem& system
+    fsiSystem& system,
+    stepTimer& timer
 )
 {
     const dictionary& dict = system.properties.subOrEmptyDict("coupling");
@@ -51,11 +54,25 @@ Foam::autoPtr<Foam::fsi::couplingModel> Foam::fsi::couplingModel::New
             *dictionaryConstructorTablePtr_
         ) << exit(FatalIOError);
     }
-    return cstrIter()(system, dict);
+    return cstrIter()(system, timer, dict);
 }
 
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+void Foam::fsi::couplingModel::contact(groupNodal& v) const
+{
+    const stepTimer::section section(timer_, stepTimer::part::contact);
+    system_.contacts->push(v);
+}
+
+
+void Foam::fsi::couplingModel::limitContact(groupNodal& v) const
+{
+    const stepTimer::section section(timer_, stepTimer::part::contact);
+    system_.contacts->limit(v);
+}
+
 
 void Foam::fsi::couplingModel::fixInactive
 (

@@ -18,9 +18,14 @@ namespace fsi
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::noFluid::noFluid(fsiSystem& system, const dictionary& dict)
+Foam::fsi::noFluid::noFluid
+(
+    fsiSystem& system,
+    stepTimer& timer,
+    const dictionary& dict
+)
 :
-    couplingModel(system, dict)
+    couplingModel(system, timer, dict)
 {
     checkKeys(dict, {"type"});
 }
@@ -45,6 +50,7 @@ void Foam::fsi::noFluid::begin
         group.prepareResponse(dt);
         group.constrainVolume(dt, velocity_[groupi]);
     }
+    contact(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 }
 

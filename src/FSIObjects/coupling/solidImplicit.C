@@ -23,10 +23,11 @@ namespace fsi
 Foam::fsi::solidImplicit::solidImplicit
 (
     fsiSystem& system,
+    stepTimer& timer,
     const dictionary& dict
 )
 :
-    couplingModel(system, dict),
+    couplingModel(system, timer, dict),
     viscous_(system),
     term_(system)
 {
@@ -103,6 +104,7 @@ void Foam::fsi::solidImplicit::solveMomentum
 
     viscous_.solve(withPressure, U, predicted_, velocity_, linkForce_);
     constrainVolume(velocity_);
+    contact(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 }
 
@@ -214,6 +216,7 @@ void Foam::fsi::solidImplicit::end
     const volVectorField&
 )
 {
+    limitContact(velocity_);
     constrainVolume(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 

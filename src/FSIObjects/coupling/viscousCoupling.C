@@ -153,7 +153,11 @@ void Foam::fsi::viscousCoupling::nodeVelocity
         }
         else if (!withSource)
         {
-            v[groupi].setZero();
+            v[groupi].setZero
+            (
+                groupForce_[groupi].rows(),
+                groupForce_[groupi].cols()
+            );
         }
     }
 }

@@ -31,7 +31,7 @@ Foam::scalar Foam::fsi::viscousResponse::dot
 void Foam::fsi::viscousResponse::makeModes()
 {
     const label nDims = group_.shape().nDims();
-    const Eigen::MatrixXd& r = group_.rotationModes();
+    const Eigen::MatrixXd& r = group_.response().rotationModes();
     const scalarField& masses = group_.shape().nodeMasses();
     const Eigen::Map<const Eigen::VectorXd> mass
     (

@@ -23,10 +23,11 @@ namespace fsi
 Foam::fsi::weakCoupling::weakCoupling
 (
     fsiSystem& system,
+    stepTimer& timer,
     const dictionary& dict
 )
 :
-    couplingModel(system, dict),
+    couplingModel(system, timer, dict),
     load_(hydrodynamicLoad::New(system, dict)),
     subIterations_(label(readPositive(dict, "subIterations", 1))),
     tolerance_(readPositive(dict, "tolerance", 1e-3)),
@@ -63,6 +64,7 @@ void Foam::fsi::weakCoupling::predict
         group.predict(time, dt, total[groupi], velocity_[groupi]);
         group.constrainVolume(dt, velocity_[groupi]);
     }
+    contact(velocity_);
 }
 
 
@@ -177,7 +179,9 @@ void Foam::fsi::weakCoupling::end
     const volScalarField&,
     const volVectorField&
 )
-{}
+{
+    limitContact(velocity_);
+}
 
 
 // ************************************************************************* //

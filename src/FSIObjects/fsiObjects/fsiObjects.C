@@ -45,7 +45,8 @@ Foam::fsi::fsiObjects::fsiObjects(const fvMesh& mesh, const scalar viscosity)
         )
     ),
     system_(mesh, checked(properties_), viscosity),
-    coupling_(couplingModel::New(system_)),
+    timer_(),
+    coupling_(couplingModel::New(system_, timer_)),
     writer_(mesh.time(), properties_.subOrEmptyDict("output")),
     signedDistance_
     (

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiObjects.H"
+#include "objectContact.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -27,6 +28,9 @@ void Foam::fsi::fsiObjects::report()
             );
         }
     }
+    const contactStatistics& contacts = system_.contacts->statistics();
+    record.contacts = contacts.contacts;
+    record.smallestGap = contacts.smallestGap;
     record.misfit = system_.levelSet->misfit(objects.surfaces());
     record.rebuilds = system_.levelSet->nRebuilds();
 
@@ -67,6 +71,12 @@ void Foam::fsi::fsiObjects::write()
     {
         records[pointObject[nodei]].force +=
             coupling_->hydrodynamicForce()[nodei];
+    }
+    const contactStatistics& contacts = system_.contacts->statistics();
+    forAll(contacts.objectContacts, objecti)
+    {
+        records[objecti].contacts = contacts.objectContacts[objecti];
+        records[objecti].smallestGap = contacts.objectGaps[objecti];
     }
     writer_.writeObjects(mesh_.time().value(), objects, records);
     objects.write();

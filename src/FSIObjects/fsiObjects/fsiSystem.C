@@ -2,6 +2,7 @@
 
 #include "fsiSystem.H"
 #include "dictionaryCheck.H"
+#include "objectContact.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -34,7 +35,11 @@ Foam::fsi::fsiSystem::fsiSystem
     }
     levelSet->initialise(objects.surfaces());
     updateGeometry();
+    contacts = std::make_unique<objectContact>(*this);
 }
+
+
+Foam::fsi::fsiSystem::~fsiSystem() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -173,9 +173,18 @@ Foam::label Foam::fsi::contact::limit
     moved_.points() += dt*surfaces.velocities();
     limitSearch_->find
     (
-        moved_, walls, UList<contactMedialPoint>(), minimumGap_, closing_
+        moved_,
+        walls,
+        UList<contactMedialPoint>(),
+        minimumGap_ + margin_,
+        closing_
     );
-    if (closing_.pairs.empty())
+    scalar smallestGap = GREAT;
+    for (const contactPair& pair : closing_.pairs)
+    {
+        smallestGap = min(smallestGap, pair.gap);
+    }
+    if (smallestGap >= minimumGap_)
     {
         return 0;
     }

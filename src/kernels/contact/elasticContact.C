@@ -55,7 +55,7 @@ Foam::scalar Foam::fsi::elasticContact::repulsion(const scalar gap) const
         s >= 1
       ? 0
       : stiffness_*sqr(1/s - 1)
-      + min(gap - s*reach_, 0)*repulsionSlope(gap);
+      + min(gap - s*reach_, 0)*elasticContact::repulsionSlope(gap);
 }
 
 
@@ -76,9 +76,10 @@ Foam::scalar Foam::fsi::elasticContact::repulsionEnergy(const scalar gap) const
 
     // Below the linear part's end: the mean pressure times the distance
     const scalar below = min(gap - s*reach_, 0);
+    const scalar slope = elasticContact::repulsionSlope(gap);
     return
         stiffness_*reach_*(1/s - s + 2*log(s))
-      - below*(stiffness_*sqr(1/s - 1) + 0.5*below*repulsionSlope(gap));
+      - below*(stiffness_*sqr(1/s - 1) + 0.5*below*slope);
 }
 
 

@@ -181,7 +181,7 @@ void Foam::fsi::groupContact::set
         bodies.setInverse(objecti, inverse);
     }
 
-    rotation_ = group_.rotationModes().topRows(nBoundary);
+    rotation_ = group_.response().rotationModes().topRows(nBoundary);
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(objects.size());
     addMode(surfaces, objects, rotation_, ones, bodies);
 

@@ -189,7 +189,8 @@ void Foam::fsi::medialAxisSearch::find
             for (const auto& hit : hits)
             {
                 const label nodei = involved_[hit.first];
-                const label side = p.objects.find(surfaces.pointObject()[nodei]);
+                const label side =
+                    p.objects.find(surfaces.pointObject()[nodei]);
                 if (side >= 0)
                 {
                     near_[side].append(nodei);

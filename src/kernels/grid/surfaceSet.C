@@ -29,13 +29,15 @@ Foam::label Foam::fsi::surfaceSet::append
     pointObject_.append(labelList(points.size(), objecti));
     pointStart_.append(points_.size());
 
+    label facei = faces_.size();
+    faces_.setSize(facei + faces.size());
     for (surfaceFace f : faces)
     {
         for (label& nodei : f)
         {
             nodei = nodei < 0 ? -1 : nodei + offset;
         }
-        faces_.append(f);
+        faces_[facei++] = f;
     }
     faceObject_.append(labelList(faces.size(), objecti));
     faceStart_.append(faces_.size());

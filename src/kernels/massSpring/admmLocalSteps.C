@@ -58,6 +58,31 @@ static inline void spread
     }
 }
 
+
+//- Local step of one component. From y = D x + u, or D x at the start, and
+//  p - y: u is renewed and z - u - D x is returned.
+template<bool atStart, int lanes>
+static inline laneArray<lanes> updateDual
+(
+    const laneArray<lanes>& toProjection,
+    const scalar ratio,
+    const scalar fraction,
+    Eigen::Map<laneArray<lanes>> u
+)
+{
+    if (atStart)
+    {
+        u = -ratio*toProjection;
+        return -u;
+    }
+
+    // z - y; then u_new = y - z and z - u_new - D x = u + 2 (z - y)
+    const laneArray<lanes> dz = fraction*toProjection;
+    const laneArray<lanes> result = u + 2*dz;
+    u = -dz;
+    return result;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -78,7 +103,6 @@ void Foam::fsi::admmSolver::springStep()
 
         array yx = difference<lanes>(start_, change_, a, b, 0);
         array yy = difference<lanes>(start_, change_, a, b, 1);
-        array gx, gy;
         if (!atStart)
         {
             yx += ux;
@@ -89,23 +113,14 @@ void Foam::fsi::admmSolver::springStep()
         const array length = (yx*yx + yy*yy).sqrt().max(VSMALL);
         const array toRest = at<lanes>(restLengths_, springi)/length - 1;
 
-        if (atStart)
-        {
-            ux = -springRatio_*toRest*yx;
-            uy = -springRatio_*toRest*yy;
-            gx = -ux;
-            gy = -uy;
-        }
-        else
-        {
-            // z - y, then z - u_new - D x = u_old + 2 (z - y)
-            const array dzx = springFraction_*toRest*yx;
-            const array dzy = springFraction_*toRest*yy;
-            gx = ux + 2*dzx;
-            gy = uy + 2*dzy;
-            ux = -dzx;
-            uy = -dzy;
-        }
+        const array gx = updateDual<atStart, lanes>
+        (
+            toRest*yx, springRatio_, springFraction_, ux
+        );
+        const array gy = updateDual<atStart, lanes>
+        (
+            toRest*yy, springRatio_, springFraction_, uy
+        );
 
         const scalar weight = springWeights_[springi];
         at<lanes>(residual_, 2*a) -= weight*gx;
@@ -145,18 +160,13 @@ void Foam::fsi::admmSolver::elementStep()
         array g[4];
         for (int i = 0; i < 4; ++i)
         {
-            auto u = at<lanes>(elementDual_, 4*elementi + i);
-            if (atStart)
-            {
-                u = -elementRatio_*toUnit[i];
-                g[i] = -u;
-            }
-            else
-            {
-                const array dz = elementFraction_*toUnit[i];
-                g[i] = u + 2*dz;
-                u = -dz;
-            }
+            g[i] = updateDual<atStart, lanes>
+            (
+                toUnit[i],
+                elementRatio_,
+                elementFraction_,
+                at<lanes>(elementDual_, 4*elementi + i)
+            );
         }
 
         spread<lanes>(elementWeights_[elementi], g, rows, B, residual_);

@@ -2,6 +2,8 @@
 
 #include "bodyGroup.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -19,7 +21,8 @@ static void writeMatrix
 {
     List<scalar> values(matrix.size());
     std::copy_n(matrix.data(), values.size(), values.begin());
-    os.writeEntry(key, values);
+    // With its type, so that a dictionary can read it from a binary stream
+    values.writeEntry(key, os);
 }
 
 
@@ -53,10 +56,13 @@ void Foam::fsi::bodyGroup::write(Ostream& os) const
     const int oldPrecision = os.precision(17);
 
     os.writeEntry("shape", shape_.name());
-    os.writeEntry("objectIds", objectIds_);
+    objectIds_.writeEntry("objectIds", os);
     writeMatrix(os, "positions", positions_);
     writeMatrix(os, "velocities", velocities_);
-    writeMatrix(os, "springStates", springStates_);
+    if (shape_.law().hasState())
+    {
+        writeMatrix(os, "springStates", springStates_);
+    }
 
     os.precision(oldPrecision);
 }
@@ -69,7 +75,10 @@ void Foam::fsi::bodyGroup::read(const dictionary& dict)
     objectIds_ = ids;
     readMatrix(dict, "positions", positions_);
     readMatrix(dict, "velocities", velocities_);
-    readMatrix(dict, "springStates", springStates_);
+    if (shape_.law().hasState())
+    {
+        readMatrix(dict, "springStates", springStates_);
+    }
 }
 
 

@@ -14,12 +14,13 @@ namespace fsi
 template<class Labels>
 static labelList flatten(const List<Labels>& lists)
 {
-    labelList flat;
+    labelList flat(lists.size()*Labels().size());
+    label next = 0;
     for (const Labels& labels : lists)
     {
         for (const label i : labels)
         {
-            flat.append(i);
+            flat[next++] = i;
         }
     }
     return flat;
@@ -136,15 +137,11 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
     materialDict_.writeEntry("material", os);
     admm_.write(os);
     os.writeEntry("nBoundaryNodes", mesh_.nBoundary);
-    os.writeEntry("points", static_cast<const List<point>&>(mesh_.points));
-    os.writeEntry("faces", flatten(mesh_.faces));
-    os.writeEntry("elements", flatten(mesh_.elements));
-    os.writeEntry
-    (
-        "springConstants",
-        static_cast<const List<scalar>&>(springConstants_)
-    );
-    os.writeEntry("nodeMasses", static_cast<const List<scalar>&>(nodeMasses_));
+    mesh_.points.UList<point>::writeEntry("points", os);
+    flatten(mesh_.faces).writeEntry("faces", os);
+    flatten(mesh_.elements).writeEntry("elements", os);
+    springConstants_.UList<scalar>::writeEntry("springConstants", os);
+    nodeMasses_.UList<scalar>::writeEntry("nodeMasses", os);
 
     os.precision(oldPrecision);
 }

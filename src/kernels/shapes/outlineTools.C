@@ -268,7 +268,7 @@ Foam::scalar Foam::fsi::outlineTools::minimumThickness
         if (opposite >= 0)
         {
             const vector t = side(polygon, opposite);
-            if ((s & t) < -0.866*mag(s)*mag(t))
+            if ((s & t) < -0.966*mag(s)*mag(t))
             {
                 smallest = min(smallest, nearest);
             }

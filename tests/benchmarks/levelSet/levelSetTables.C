@@ -15,6 +15,8 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "alignmentCases.H"
+#include "reinitialisationCases.H"
+#include "referenceFlows.H"
 
 #include <cstdio>
 
@@ -252,14 +254,14 @@ static void costTable()
         scalar rebuild = GREAT, march = GREAT;
         for (label repeat = 0; repeat < 5; ++repeat)
         {
-            const scalar start = wallTime();
+            const scalar start = processorTime();
             exact.update(discs.surfaces(), block);
-            const scalar middle = wallTime();
+            const scalar middle = processorTime();
             fields.start(beside, discs.surfaces(), block);
-            const scalar marchStart = wallTime();
+            const scalar marchStart = processorTime();
             marching.march(block, fields);
             rebuild = min(rebuild, middle - start);
-            march = min(march, wallTime() - marchStart);
+            march = min(march, processorTime() - marchStart);
         }
         const scalar nBand = marching.reached().size();
         std::printf

@@ -72,18 +72,9 @@ Foam::scalar Foam::fsi::poissonProblem::random
 
 void Foam::fsi::poissonProblem::setSource()
 {
-    const List<labelVector>& cells = lattice_.cells();
-    forAll(source_, celli)
-    {
-        const labelVector& c = cells[celli];
-        source_[celli] =
-            random(c, 1) - 0.5
-          + std::sin(0.3*c.x()) + std::cos(0.2*c.y() + 0.1*c.z());
-    }
-    if (singular_)
-    {
-        source_.primitiveFieldRef() -= gAverage(source_.primitiveField());
-    }
+    source_ =
+        scheme(p_.mesh()).fvcLaplacian(gamma_, exact_)()
+      - added_*exact_;
 }
 
 
@@ -111,6 +102,7 @@ Foam::fsi::poissonProblem::poissonProblem
         lattice.mesh(),
         dimensionedScalar("one", dimless, 1)
     ),
+    exact_("exact", p_),
     source_
     (
         IOobject("source", "0", lattice.mesh()),
@@ -124,6 +116,18 @@ Foam::fsi::poissonProblem::poissonProblem
         dimensionedScalar("zero", dimless/dimArea, 0)
     )
 {
+    forAll(exact_, celli)
+    {
+        const labelVector& c = lattice_.cells()[celli];
+        exact_[celli] =
+            random(c, 1) - 0.5
+          + 10*std::sin(0.3*c.x()) + 10*std::cos(0.2*c.y() + 0.1*c.z());
+    }
+    if (singular_)
+    {
+        exact_.primitiveFieldRef() -= gAverage(exact_.primitiveField());
+    }
+    exact_.correctBoundaryConditions();
     setSource();
 }
 
@@ -140,6 +144,7 @@ void Foam::fsi::poissonProblem::randomCoefficients()
     }
     cellValue.correctBoundaryConditions();
     gamma_ = linearInterpolate(cellValue);
+    setSource();
 }
 
 
@@ -167,15 +172,10 @@ void Foam::fsi::poissonProblem::mask
         gamma_[facei] = open ? open(high, d) : fluid[own]*fluid[nei];
     }
 
-    // A row without couplings needs a diagonal; the source is one that this
-    // operator made, so that it is in its range
-    const surfaceScalarField openness(mag(gamma_));
+    // A row without couplings needs a diagonal
     added_.primitiveFieldRef() =
-        neg(fvc::surfaceSum(openness)().primitiveField() - SMALL);
-    volScalarField exact("exact", p_);
-    exact.primitiveFieldRef() = source_.primitiveField();
-    exact.correctBoundaryConditions();
-    source_ = scheme(p_.mesh()).fvcLaplacian(gamma_, exact)() - added_*exact;
+        neg(fvc::surfaceSum(gamma_)().primitiveField() - SMALL);
+    setSource();
 }
 
 

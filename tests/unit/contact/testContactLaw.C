@@ -38,7 +38,10 @@ const std::vector<std::string> potentialLaws
 rigidDiscs twoDiscs(const label nA, const label nB, const scalar gap)
 {
     rigidDiscs world;
-    world.add(circleNodes(1, nA), point(0.3, 0, 0), vector(0.2, 0.1, 0), 0.4, 2);
+    world.add
+    (
+        circleNodes(1, nA), point(0.3, 0, 0), vector(0.2, 0.1, 0), 0.4, 2
+    );
     world.add
     (
         circleNodes(1, nB),
@@ -219,7 +222,8 @@ TEST(ContactLaw, thesisPushesApartAndVanishesAtItsLength)
         rigidDiscs world(twoDiscs(60, 60, gap));
         contact law
         (
-            dictOf("law { type thesis; cancel no; restLength 0.9; }"), 2, 0.1, 50
+            dictOf("law { type thesis; cancel no; restLength 0.9; }"),
+            2, 0.1, 50
         );
         world.advance(law, 0.01);
         const vector f(forceOn(world, 1));

@@ -359,7 +359,8 @@ TEST(ContactSearch, costIsLinear)
 {
     autoPtr<contactSearch> search(searchOf(""));
     const surfaceSet few(lattice(13, 20, 2.2)), many(lattice(39, 20, 2.2));
-    const scalar small = seconds(search(), few), large = seconds(search(), many);
+    const scalar small = seconds(search(), few);
+    const scalar large = seconds(search(), many);
     const scalar tree = treeSeconds(many, 0.5);
     RecordProperty("seconds_3380_nodes", std::to_string(small));
     RecordProperty("seconds_30420_nodes", std::to_string(large));

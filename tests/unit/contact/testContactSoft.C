@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mathematicalConstants.H"
 #include "softDiscs.H"
 
 using namespace Foam;
@@ -191,7 +192,8 @@ TEST(ContactSoft, mirrorImages)
     // The second disc is the first turned by half a turn
     const collision c(0.05, 0, Zero, 0.1);
     const auto& x = c.group.positions();
-    const scalar difference = (x.leftCols(2) + x.rightCols(2)).cwiseAbs().maxCoeff();
+    const scalar difference =
+        (x.leftCols(2) + x.rightCols(2)).cwiseAbs().maxCoeff();
     EXPECT_LT(difference, 1e-10*0.1);
 }
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "advectionCases.H"
+#include "referenceFlows.H"
 
 #include <limits>
 

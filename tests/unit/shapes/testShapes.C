@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "outlineTools.H"
+#include "shape.H"
+#include "IStringStream.H"
+#include "IFstream.H"
+#include "mathematicalConstants.H"
+#include "OSspecific.H"
+#include "OStringStream.H"
+#include "triangulation.H"
+
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::fsi;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+autoPtr<shape> shapeOf(const string& text)
+{
+    IStringStream is(text);
+    return shape::New(dictionary(is), 2);
+}
+
+
+//- Shapes that together use every type
+const string circle("type circle; radius 0.1;");
+const string ellipse("type ellipse; semiAxes (0.2 0.1);");
+const string star("type star; radius 0.1; amplitude 0.3; points 5;");
+const string biconcave("type biconcave; radius 3.91;");
+
+
+//- Name of a file with the text
+fileName fileOf(const word& file, const string& text)
+{
+    std::ofstream(file) << text;
+    return file;
+}
+
+
+//- The message of the error that a shape in a file gives, or an empty text
+string errorOf(const string& text, const direction nDims = 2)
+{
+    const fileName file(fileOf("badShapeDict", text));
+    string message;
+    try
+    {
+        IFstream is(file);
+        shape::New(dictionary(is), nDims);
+    }
+    catch (const Foam::IOerror& error)
+    {
+        OStringStream os;
+        os << error;
+        message = os.str();
+    }
+    rm(file);
+    return message;
+}
+
+
+//- The error names the file, the key and the words
+void expectError(const string& text, const wordList& words)
+{
+    const string error(errorOf(text));
+    EXPECT_NE(error.find("badShapeDict"), string::npos) << text;
+    for (const word& w : words)
+    {
+        EXPECT_NE(error.find(w), string::npos) << w << " in: " << error;
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(shape, outlineIsUniformClosedAndCounterClockwise)
+{
+    for (const string& text : {circle, ellipse, star, biconcave})
+    {
+        const autoPtr<shape> body(shapeOf(text));
+        const pointField fine(body->curve());
+        const scalar h = outlineTools::perimeter(fine)/100;
+        const pointField points(body->outline(h));
+
+        EXPECT_EQ(points.size(), 100) << text;
+        EXPECT_GT(outlineTools::area(points), 0);
+        EXPECT_TRUE(triangulation::isSimple(points));
+        EXPECT_LT(mag(outlineTools::centroid(points)), 1e-12*h*100);
+        EXPECT_EQ(max(mag(points.component(vector::Z))), 0);
+
+        // Chords of equal arcs differ where the curvature does
+        forAll(points, i)
+        {
+            const scalar chord = mag(points[points.fcIndex(i)] - points[i]);
+            EXPECT_LT(chord, h*(1 + 1e-9));
+            EXPECT_GT(chord, 0.94*h) << text << " node " << i;
+        }
+    }
+}
+
+
+TEST(shape, circleLiesOnTheCircle)
+{
+    const pointField points(shapeOf(circle)->outline(0.01));
+    EXPECT_EQ(points.size(), 63);
+    for (const point& p : points)
+    {
+        EXPECT_NEAR(mag(p), 0.1, 1e-8);
+    }
+}
+
+
+TEST(shape, biconcaveIsEvansAndFungs)
+{
+    // The body of revolution has 94.10 um3 and 134.09 um2, its section is
+    // 0.810 um thin in the middle and 2.566 um at most
+    const pointField points(shapeOf(biconcave)->outline(0.05));
+    scalar volume = 0, area = 0, thickest = 0, middle = GREAT;
+    forAll(points, i)
+    {
+        const point& a = points[i];
+        const point& b = points[points.fcIndex(i)];
+        if (a.x() > 0 || b.x() > 0)
+        {
+            const scalar r = 0.5*(mag(a.x()) + mag(b.x()));
+            volume += constant::mathematical::twoPi*r
+               *0.5*(a.y() + b.y())*(a.x() - b.x());
+            area += constant::mathematical::twoPi*r*mag(b - a);
+        }
+        thickest = max(thickest, 2*mag(a.y()));
+        if (mag(a.x()) < 0.1)
+        {
+            middle = min(middle, 2*mag(a.y()));
+        }
+    }
+    EXPECT_NEAR(volume, 94.10, 0.005*94.10);
+    EXPECT_NEAR(area, 134.09, 0.005*134.09);
+    EXPECT_NEAR(thickest, 2.566, 0.005*2.566);
+    EXPECT_NEAR(middle, 0.810, 0.005*0.810);
+}
+
+
+TEST(shape, minimumThicknessIsThatOfTheNeck)
+{
+    EXPECT_NEAR(shapeOf(circle)->minimumThickness(), 0.2, 1e-3);
+    EXPECT_NEAR(shapeOf(ellipse)->minimumThickness(), 0.2, 5e-3);
+    EXPECT_NEAR(shapeOf(biconcave)->minimumThickness(), 0.810, 0.01);
+    EXPECT_LT(shapeOf(star)->minimumThickness(), 0.15);
+}
+
+
+TEST(shape, polygonKeepsItsCornersAndIsTurnedRound)
+{
+    // Clockwise, closed twice, with a comment and a heading
+    const fileName csv
+    (
+        fileOf("square.csv", "# square\nx, y\n0,0\n0,1\n1.5,1\n1.5,0\n0,0\n")
+    );
+    const fileName list
+    (
+        fileOf("square.list", "4 ((0 0 0) (1.5 0 0) (1.5 1 0) (0 1 0))")
+    );
+    for (const fileName& file : {csv, list})
+    {
+        const autoPtr<shape> body
+        (
+            shapeOf("type polygon; file \"" + file + "\"; scale 2;")
+        );
+        const pointField points(body->outline(0.3));
+        EXPECT_NEAR(outlineTools::area(points), 6, 1e-12);
+        EXPECT_EQ(points.size(), 2*(10 + 7));
+        EXPECT_NEAR(body->minimumThickness(), 2, 1e-9);
+
+        label nCorners = 0;
+        for (const point& p : points)
+        {
+            nCorners +=
+                mag(mag(p.x()) - 1.5) < 1e-12 && mag(mag(p.y()) - 1) < 1e-12;
+        }
+        EXPECT_EQ(nCorners, 4);
+    }
+    rm(csv);
+    rm(list);
+}
+
+
+TEST(triangulation, fillsTheOutlineWithGoodTriangles)
+{
+    for (const string& text : {circle, ellipse, star, biconcave})
+    {
+        const autoPtr<shape> body(shapeOf(text));
+        const scalar h = body->minimumThickness()/6;
+        const shapeMesh mesh(body->mesh(h));
+        const pointField outline(body->outline(h));
+
+        // The boundary nodes are the given ones, and no side is divided
+        ASSERT_EQ(mesh.nBoundary, outline.size());
+        ASSERT_EQ(mesh.faces.size(), outline.size());
+        forAll(outline, i)
+        {
+            EXPECT_EQ(mesh.points[i], outline[i]);
+            EXPECT_EQ(mesh.faces[i][0], i);
+            EXPECT_EQ(mesh.faces[i][1], outline.fcIndex(i));
+        }
+
+        const scalarField volumes(mesh.elementVolumes());
+        const scalar area = outlineTools::area(outline);
+        EXPECT_GT(min(volumes), 0.1*average(volumes)) << text;
+        EXPECT_NEAR(sum(volumes), area, 1e-12*area);
+        EXPECT_GT(mesh.smallestAngle(), 28) << text;
+
+        // Euler: nodes - edges + elements = 1 without holes or loose nodes
+        EXPECT_EQ
+        (
+            mesh.points.size() - mesh.edges().size() + mesh.elements.size(), 1
+        );
+    }
+}
+
+
+TEST(triangulation, knowsCrossingPolygons)
+{
+    pointField bow(4, Zero);
+    bow[1] = point(1, 1, 0);
+    bow[2] = point(1, 0, 0);
+    bow[3] = point(0, 1, 0);
+    EXPECT_FALSE(triangulation::isSimple(bow));
+    std::swap(bow[1], bow[2]);
+    EXPECT_TRUE(triangulation::isSimple(bow));
+}
+
+
+TEST(badShape, isRefusedWithFileAndKey)
+{
+    expectError("type blob;", {"type", "blob", "circle", "polygon"});
+    expectError("type circle; radius -1;", {"radius"});
+    expectError("type circle; radius 1; colour 2;", {"colour"});
+    expectError("type ellipse; semiAxes (1 0);", {"semiAxes"});
+    expectError("type star; radius 1; amplitude 1;", {"amplitude"});
+    expectError("type star; radius 1; points 1;", {"points"});
+    expectError("type biconcave;", {"radius"});
+    EXPECT_NE(errorOf(circle, 3), "");
+    EXPECT_EQ(errorOf(circle, 2), "");
+}
+
+
+TEST(badShape, polygonThatCannotBeUsedIsRefused)
+{
+    const string polygon("type polygon; file ");
+    expectError(polygon + "\"missing.csv\";", {"file", "missing.csv"});
+
+    const fileName bow(fileOf("bow.csv", "0,0\n1,1\n1,0\n0,1\n"));
+    expectError(polygon + "\"bow.csv\";", {"file", "crosses"});
+    rm(bow);
+
+    const fileName two(fileOf("two.csv", "0,0\n1,1\n"));
+    expectError(polygon + "\"two.csv\";", {"file", "two.csv"});
+    rm(two);
+
+    const fileName broken(fileOf("broken.csv", "0,0\n1,0\n1;1\n0,1\n"));
+    expectError(polygon + "\"broken.csv\";", {"file", "line 3"});
+    rm(broken);
+
+    const fileName text(fileOf("text.list", "no points here"));
+    EXPECT_NE(errorOf(polygon + "\"text.list\";"), "");
+    rm(text);
+}
+
+
+// ************************************************************************* //
