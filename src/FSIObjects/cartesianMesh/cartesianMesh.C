@@ -3,6 +3,23 @@
 #include "cartesianMesh.H"
 #include "volFields.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Folder of the mesh's files
+static fileName meshFolder(const fvMesh& mesh)
+{
+    return mesh.time().path()/mesh.pointsInstance()/mesh.meshDir();
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::cartesianMesh::refuse
@@ -12,7 +29,7 @@ void Foam::fsi::cartesianMesh::refuse
 ) const
 {
     FatalErrorInFunction
-        << "Mesh " << mesh_.polyMesh::path() << " is not uniform Cartesian: "
+        << "Mesh " << meshFolder(mesh_) << " is not uniform Cartesian: "
         << reason.c_str() << nl
         << "    cell " << celli << " with centre " << mesh_.C()[celli]
         << " and volume " << mesh_.V()[celli] << nl
@@ -28,7 +45,7 @@ void Foam::fsi::cartesianMesh::setSpacing()
     if (d.x() != 1 || d.y() != 1)
     {
         FatalErrorInFunction
-            << "Mesh " << mesh_.polyMesh::path() << " must be solved in x and"
+            << "Mesh " << meshFolder(mesh_) << " must be solved in x and"
             << " y (and z in 3D) but its geometric directions are " << d
             << exit(FatalError);
     }
@@ -163,8 +180,10 @@ Foam::boundBox Foam::fsi::cartesianMesh::bounds() const
 }
 
 
-Foam::fsi::cartesianBlock Foam::fsi::cartesianMesh::cells
+Foam::fsi::cartesianBlock Foam::fsi::cartesianMesh::centres
 (
+    const labelVector& start,
+    const labelVector& n,
     const label halo
 ) const
 {
@@ -180,10 +199,28 @@ Foam::fsi::cartesianBlock Foam::fsi::cartesianMesh::cells
     (
         first,
         spacing_,
-        n_ + grown + grown,
+        n + grown + grown,
         nDims_,
-        start_ - grown
+        start - grown
     );
+}
+
+
+Foam::fsi::cartesianBlock Foam::fsi::cartesianMesh::cells
+(
+    const label halo
+) const
+{
+    return centres(start_, n_, halo);
+}
+
+
+Foam::fsi::cartesianBlock Foam::fsi::cartesianMesh::globalCells
+(
+    const label halo
+) const
+{
+    return centres(labelVector(0, 0, 0), globalN_, halo);
 }
 
 

@@ -47,7 +47,6 @@ void Foam::fsi::noFluid::begin
     {
         bodyGroup& group = system_.objects.groups()[groupi];
         group.predict(time.value() - dt, dt, force[groupi], velocity_[groupi]);
-        group.prepareResponse(dt);
         group.constrainVolume(dt, velocity_[groupi]);
     }
     contact(velocity_);

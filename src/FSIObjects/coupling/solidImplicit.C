@@ -84,7 +84,6 @@ void Foam::fsi::solidImplicit::begin
         bodyGroup& group = system_.objects.groups()[groupi];
         total[groupi] += force[groupi];
         group.predict(time, dt, total[groupi], predicted_[groupi]);
-        group.prepareResponse(dt);
     }
     constrainVolume(predicted_);
     velocity_ = predicted_;

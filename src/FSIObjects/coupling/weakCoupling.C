@@ -97,10 +97,6 @@ void Foam::fsi::weakCoupling::begin
     force_ = force;
     system_.objects.zeroGroups(velocity_);
     wallVelocity_ = system_.objects.surfaces().velocities();
-    for (bodyGroup& group : system_.objects.groups())
-    {
-        group.prepareResponse(system_.deltaT());
-    }
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "fsiObjects.H"
 #include "dictionaryCheck.H"
+#include "objectContact.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -30,7 +31,12 @@ static const dictionary& checked(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::fsiObjects::fsiObjects(const fvMesh& mesh, const scalar viscosity)
+Foam::fsi::fsiObjects::fsiObjects
+(
+    const fvMesh& mesh,
+    const scalar viscosity,
+    const couplingSelector& select
+)
 :
     mesh_(mesh),
     properties_
@@ -46,7 +52,7 @@ Foam::fsi::fsiObjects::fsiObjects(const fvMesh& mesh, const scalar viscosity)
     ),
     system_(mesh, checked(properties_), viscosity),
     timer_(),
-    coupling_(couplingModel::New(system_, timer_)),
+    coupling_(select(system_, timer_)),
     writer_(mesh.time(), properties_.subOrEmptyDict("output")),
     signedDistance_
     (
@@ -154,6 +160,14 @@ void Foam::fsi::fsiObjects::startStep(const volScalarField& p)
     fsiSystem::groupNodal force;
     system_.objects.zeroGroups(force);
     system_.addBodyForce(force);
+    for (bodyGroup& group : system_.objects.groups())
+    {
+        group.prepareResponse(system_.deltaT());
+    }
+    {
+        const stepTimer::section contact(timer_, stepTimer::part::contact);
+        system_.contacts->addForce(force);
+    }
     coupling_->begin(force, p);
 }
 

@@ -23,8 +23,10 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::wallFaceVelocity
     scalarField& velocity = tvelocity.ref();
 
     // Between a fluid cell's centre and the wall
+    boolList linked(mesh.nFaces(), false);
     for (const wallLink& link : geometry_.wallLinks())
     {
+        linked[link.face] = true;
         const scalar wall = link.place.interpolate(wallVelocity, link.dir);
         const scalar part = min(0.5/link.wallDistance, 1.0);
         velocity[link.face] =
@@ -33,13 +35,14 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::wallFaceVelocity
     }
 
     // Between two cells with their centres inside objects. Across a coupled
-    // patch each side gives half
+    // patch each side gives half; there the link is known to its cell's rank
+    syncTools::syncFaceList(mesh, linked, orEqOp<bool>());
     for (const wallFace& w : geometry_.wallFaces())
     {
         const label own = mesh.faceOwner()[w.face];
         const bool internal = w.face < mesh.nInternalFaces();
         const label nei = internal ? mesh.faceNeighbour()[w.face] : own;
-        if (geometry_.openness()[w.face] <= 0 || fluid[own] || fluid[nei])
+        if (geometry_.openness()[w.face] <= 0 || fluid[own] || linked[w.face])
         {
             continue;
         }

@@ -61,42 +61,6 @@ Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
 }
 
 
-void Foam::fsi::objectContact::setResponse(const label groupi)
-{
-    const population& objects = system_.objects;
-    const bodyGroup& group = objects.groups()[groupi];
-    const bodyResponse& response = group.response();
-    const direction nDims = system_.grid.nDims();
-    const label nBoundary = group.shape().nBoundaryNodes();
-    const Eigen::MatrixXd* inverse =
-        &group.shape().factor(system_.deltaT()).boundaryInverse();
-
-    for (label copyi = 0; copyi < group.size(); ++copyi)
-    {
-        const label objecti = objects.objectIndex(groupi, copyi);
-        const label start = objects.surfaces().pointStart()[objecti];
-        const auto add = [&](const Eigen::MatrixXd& values, const scalar s)
-        {
-            const label k = bodies_.addMode(objecti, s);
-            for (label i = 0; i < nBoundary; ++i)
-            {
-                vector& mode = bodies_.mode(start + i, k);
-                mode = Zero;
-                for (direction d = 0; d < nDims; ++d)
-                {
-                    mode[d] = values(i, nDims*copyi + d);
-                }
-            }
-        };
-
-        bodies_.setInverse(objecti, inverse);
-        add(response.rotationModes(), 1);
-        add(response.elasticRotation(), -1);
-        add(response.volumeMode(), -1/response.volumeCompliance()[copyi]);
-    }
-}
-
-
 void Foam::fsi::objectContact::findAxis()
 {
     if (!axis_.valid())
@@ -141,47 +105,25 @@ void Foam::fsi::objectContact::findAxis()
 void Foam::fsi::objectContact::setBodies()
 {
     const population& objects = system_.objects;
-    const surfaceSet& surfaces = objects.surfaces();
+    bodies_.reset(objects.surfaces());
 
-    bodies_.reset(surfaces);
-    fsiSystem::groupNodal internal;
-    objects.zeroGroups(internal);
-
+    groups_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
-        const shapeTemplate& shape = group.shape();
-        if (group.free())
+        if (!groups_[groupi])
         {
-            setResponse(groupi);
+            groups_[groupi] = std::make_unique<groupContact>(group);
         }
-        if (contact_.needsInternalForces())
-        {
-            group.internalForce(internal[groupi]);
-        }
-
-        const scalarField areas
+        groups_[groupi]->set
         (
-            contactBodies::nodeAreas
-            (
-                shape.points(),
-                shape.faces(),
-                system_.grid.nDims(),
-                system_.grid.thickness()
-            )
+            objects.surfaces(),
+            identity(group.size(), objects.objectIndex(groupi, 0)),
+            system_.deltaT(),
+            contact_.needsInternalForces(),
+            bodies_
         );
-        for (label copyi = 0; copyi < group.size(); ++copyi)
-        {
-            const label start =
-                surfaces.pointStart()[objects.objectIndex(groupi, copyi)];
-            for (label i = 0; i < shape.nBoundaryNodes(); ++i)
-            {
-                bodies_.areas()[start + i] = areas[i];
-            }
-        }
     }
-    bodies_.masses() = objects.nodeMass();
-    objects.toSurface(internal, bodies_.internalForces());
 }
 
 
@@ -235,30 +177,54 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::objectContact::push(fsiSystem::groupNodal& v)
+void Foam::fsi::objectContact::calculate()
 {
     setBodies();
     if (contact_.needsMedialAxis())
     {
         findAxis();
     }
-    withVelocities
+    contact_.calculate
     (
-        v,
-        [&]()
-        {
-            contact_.calculate
-            (
-                system_.objects.surfaces(),
-                bodies_,
-                walls_,
-                axisPoints_,
-                system_.deltaT(),
-                force_
-            );
-        }
+        system_.objects.surfaces(),
+        bodies_,
+        walls_,
+        axisPoints_,
+        system_.deltaT(),
+        force_
     );
-    respond(v);
+}
+
+
+void Foam::fsi::objectContact::push(fsiSystem::groupNodal& v)
+{
+    if (!explicitForces())
+    {
+        withVelocities
+        (
+            v,
+            [this]()
+            {
+                calculate();
+            }
+        );
+        respond(v);
+    }
+}
+
+
+void Foam::fsi::objectContact::addForce(fsiSystem::groupNodal& force)
+{
+    if (explicitForces())
+    {
+        calculate();
+        fsiSystem::groupNodal contactForce;
+        system_.objects.toGroups(force_, contactForce);
+        forAll(force, groupi)
+        {
+            force[groupi] += contactForce[groupi];
+        }
+    }
 }
 
 

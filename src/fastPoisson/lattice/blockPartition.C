@@ -173,9 +173,16 @@ Foam::fsi::blockLayout Foam::fsi::blockPartition::layout
 }
 
 
-Foam::fsi::blockPartition Foam::fsi::blockPartition::whole() const
+Foam::fsi::blockPartition Foam::fsi::blockPartition::whole
+(
+    const bool padded
+) const
 {
     blockPartition one(*this);
+    if (!padded)
+    {
+        one.pad_ = labelVector(0, 0, 0);
+    }
     for (direction d = 0; d < 3; ++d)
     {
         one.cuts_[d] = labelList({0, n(d)});

@@ -90,7 +90,10 @@ void Foam::fsi::cellTransfer::planMessages
     List<blockLayout> layouts(nRanks);
     forAll(layouts, ranki)
     {
-        layouts[ranki] = partition.layout(ranki);
+        if (count[ranki])
+        {
+            layouts[ranki] = partition.layout(ranki);
+        }
     }
     forAll(owner, celli)
     {

@@ -28,28 +28,6 @@ Foam::scalar Foam::fsi::cartesianMultigrid::multiply
 }
 
 
-Foam::scalar Foam::fsi::cartesianMultigrid::normFactor
-(
-    const scalarField& Ax,
-    const scalar average
-) const
-{
-    const stencil<double>& A = matrix_.A();
-    const scalarField& rowSum = matrix_.rowSum();
-    scalar sum = 0;
-    for (label r = 0; r < A.ny*A.nz; ++r)
-    {
-        const label row = A.row(r);
-        for (label place = row; place < row + A.nx; ++place)
-        {
-            const scalar reference = rowSum[place]*average;
-            sum += mag(Ax[place] - reference) + mag(r_[place] - reference);
-        }
-    }
-    return total(sum) + solverPerformance::small_;
-}
-
-
 Foam::scalar Foam::fsi::cartesianMultigrid::nextDirection
 (
     const scalar residual,
@@ -129,7 +107,8 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
     transfer.toBlock(psi, 1, x_.data());
     transfer.toBlock(source, matrix_.sign(), r_.data());
     multiply(x_, Ap_, term);
-    const scalar factor = normFactor(Ap_, total(sum(psi))/nMeshCells_);
+    const scalar factor =
+        matrix_.normFactor(Ap_, r_, total(sum(psi))/nMeshCells_);
 
     // p_ is set to zero for the first direction
     p_ = 0;

@@ -2,6 +2,7 @@
 
 #include "structuredMatrix.H"
 #include "PstreamReduceOps.H"
+#include "solverPerformance.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -125,6 +126,29 @@ Foam::fsi::structuredMatrix::structuredMatrix(const cartesianLattice& lattice)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::structuredMatrix::normFactor
+(
+    const scalarField& Ax,
+    const scalarField& source,
+    const scalar average
+) const
+{
+    scalar total = 0;
+    for (label r = 0; r < A_.ny*A_.nz; ++r)
+    {
+        const label row = A_.row(r);
+        for (label place = row; place < row + A_.nx; ++place)
+        {
+            const scalar reference = rowSum_[place]*average;
+            total +=
+                mag(Ax[place] - reference) + mag(source[place] - reference);
+        }
+    }
+    reduce(total, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    return total + solverPerformance::small_;
+}
+
 
 void Foam::fsi::structuredMatrix::update
 (

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMGPreconditioner.H"
-#include "cartesianMultigridCache.H"
+#include "cartesianSolverCache.H"
 #include "PrecisionAdaptor.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -28,7 +28,7 @@ Foam::fsi::cartesianMGPreconditioner::cartesianMGPreconditioner
 )
 :
     lduMatrix::preconditioner(solver),
-    multigrid_(cartesianMultigridCache::updated(solver, controls))
+    multigrid_(cartesianSolverCache::multigrid(solver, controls))
 {}
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMGSolver.H"
-#include "cartesianMultigridCache.H"
+#include "cartesianSolverCache.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -39,18 +39,7 @@ Foam::fsi::cartesianMGSolver::cartesianMGSolver
         solverControls
     )
 {
-    const wordHashSet linear({"cyclic", "processor", "processorCyclic"});
-    forAll(interfaces, patchi)
-    {
-        if (interfaces.set(patchi) && !linear.found(interfaces[patchi].type()))
-        {
-            FatalIOErrorInFunction(solverControls)
-                << "Field " << fieldName << " has a coupled patch of type "
-                << interfaces[patchi].type() << ", which this solver does not"
-                << " know. Use 'solver PCG; preconditioner cartesianMG;'"
-                << " or GAMG." << exit(FatalIOError);
-        }
-    }
+    cartesianSolverCache::checkInterfaces(*this, solverControls);
 }
 
 
@@ -68,7 +57,7 @@ Foam::solverPerformance Foam::fsi::cartesianMGSolver::solve
     controls.relTol = relTol_;
     controls.minIter = minIter_;
     controls.maxIter = maxIter_;
-    return cartesianMultigridCache::updated(*this, controlDict_).solve
+    return cartesianSolverCache::multigrid(*this, controlDict_).solve
     (
         psi, source, fieldName_, controls
     );

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surfaceDistance.H"
-#include "faceProjection.H"
+#include "triangleProjection.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

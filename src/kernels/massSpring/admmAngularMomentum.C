@@ -80,7 +80,8 @@ void Foam::fsi::admmSolver::restoreAngularMomentum()
         const scalar length = std::hypot(dot[lane], cross[lane]);
         const scalar part =
             max(min(target[lane]/length, scalar(1)), scalar(-1));
-        const scalar turn = std::asin(part) - std::atan2(cross[lane], dot[lane]);
+        const scalar turn =
+            std::asin(part) - std::atan2(cross[lane], dot[lane]);
         sine[lane] = std::sin(turn);
         versine[lane] = 2*sqr(std::sin(0.5*turn));
     }

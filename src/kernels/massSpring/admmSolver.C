@@ -16,7 +16,7 @@ void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
     deltaT_ = dt;
 
     const labelList& rowOf = factor_->rowOf();
-    const shapeTemplate::admmControls& controls = shape_.admm();
+    const admmControls& controls = shape_.admm();
 
     springRows_.resize(2*shape_.springs().size());
     forAll(shape_.springs(), springi)

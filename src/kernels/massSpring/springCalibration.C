@@ -2,145 +2,8 @@
 
 #include "springCalibration.H"
 #include "EdgeMap.H"
-#include "error.H"
-
-#include <Eigen/SparseCholesky>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-typedef std::vector<Eigen::Triplet<double>> matrixEntries;
-
-//- Add stiffness*g g^T for a vector g over the given unknowns
-static void addProduct
-(
-    const label n,
-    const label* unknowns,
-    const scalar* g,
-    const scalar stiffness,
-    matrixEntries& entries
-)
-{
-    for (label i = 0; i < n; ++i)
-    {
-        for (label j = 0; j < n; ++j)
-        {
-            entries.emplace_back
-            (
-                unknowns[i],
-                unknowns[j],
-                stiffness*g[i]*g[j]
-            );
-        }
-    }
-}
-
-
-//- Entries of the stiffness matrix of the network at rest; unknown 2*node + i
-static matrixEntries linearStiffness
-(
-    const shapeMesh& mesh,
-    const edgeList& springs,
-    const scalarField& springConstants,
-    const volumeTerm& elementTerm
-)
-{
-    matrixEntries entries;
-
-    forAll(springs, springi)
-    {
-        const label a = springs[springi].first();
-        const label b = springs[springi].second();
-        vector n = mesh.points[b] - mesh.points[a];
-        n /= mag(n);
-
-        const label unknowns[4] = {2*a, 2*a + 1, 2*b, 2*b + 1};
-        const scalar g[4] = {-n.x(), -n.y(), n.x(), n.y()};
-        addProduct(4, unknowns, g, springConstants[springi], entries);
-    }
-
-    // The divergence, with half of the stiffness (see volumeTerm)
-    forAll(mesh.elements, elementi)
-    {
-        const bodyElement& e = mesh.elements[elementi];
-        const scalar* B = &elementTerm.inverseEdges()[4*elementi];
-
-        const label unknowns[6] =
-            {2*e[0], 2*e[0] + 1, 2*e[1], 2*e[1] + 1, 2*e[2], 2*e[2] + 1};
-        const scalar g[6] =
-            {-B[0] - B[2], -B[1] - B[3], B[0], B[1], B[2], B[3]};
-        const scalar stiffness =
-            0.5*elementTerm.stiffness()*elementTerm.volumes()[elementi];
-        addProduct(6, unknowns, g, stiffness, entries);
-    }
-
-    return entries;
-}
-
-
-//- Three unknowns that hold a body against rigid motion
-static FixedList<label, 3> support(const shapeMesh& mesh)
-{
-    label far = 1;
-    forAll(mesh.points, pointi)
-    {
-        if
-        (
-            magSqr(mesh.points[pointi] - mesh.points[0])
-          > magSqr(mesh.points[far] - mesh.points[0])
-        )
-        {
-            far = pointi;
-        }
-    }
-    const vector d = mesh.points[far] - mesh.points[0];
-    const label across = mag(d.x()) > mag(d.y()) ? 1 : 0;
-
-    FixedList<label, 3> unknowns;
-    unknowns[0] = 0;
-    unknowns[1] = 1;
-    unknowns[2] = 2*far + across;
-    return unknowns;
-}
-
-
-//- Matrix with the supported unknowns held at zero
-static Eigen::SparseMatrix<double> supported
-(
-    const matrixEntries& entries,
-    const shapeMesh& mesh
-)
-{
-    const FixedList<label, 3> held(support(mesh));
-
-    matrixEntries kept;
-    scalar largest = 0;
-    for (const auto& entry : entries)
-    {
-        if (!held.found(entry.row()) && !held.found(entry.col()))
-        {
-            kept.push_back(entry);
-            largest = max(largest, entry.value());
-        }
-    }
-    for (const label unknown : held)
-    {
-        kept.emplace_back(unknown, unknown, largest);
-    }
-
-    const label n = 2*mesh.points.size();
-    Eigen::SparseMatrix<double> matrix(n, n);
-    matrix.setFromTriplets(kept.begin(), kept.end());
-    return matrix;
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
+#include "mathematicalConstants.H"
+#include "patchTest.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -188,68 +51,6 @@ Foam::scalar Foam::fsi::springCalibration::regularFactor
 }
 
 
-Eigen::Matrix3d Foam::fsi::springCalibration::compliance
-(
-    const shapeMesh& mesh,
-    const edgeList& springs,
-    const scalarField& springConstants,
-    const volumeTerm& elementTerm,
-    const scalar thickness
-)
-{
-    const label nUnknowns = 2*mesh.points.size();
-    const scalar volume = sum(elementTerm.volumes());
-
-    // With the normal (nx, ny) of area, the columns are the nodal forces of
-    // the unit stresses xx, yy, xy; their transpose sums the mean strains
-    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(nUnknowns, 3);
-    for (const surfaceFace& face : mesh.faces)
-    {
-        const vector d = mesh.points[face[1]] - mesh.points[face[0]];
-        const scalar nx = 0.5*thickness*d.y(), ny = -0.5*thickness*d.x();
-        for (label i = 0; i < 2; ++i)
-        {
-            forces(2*face[i], 0) += nx;
-            forces(2*face[i] + 1, 1) += ny;
-            forces(2*face[i], 2) += ny;
-            forces(2*face[i] + 1, 2) += nx;
-        }
-    }
-
-    Eigen::MatrixXd loads(forces);
-    for (const label unknown : support(mesh))
-    {
-        loads.row(unknown).setZero();
-    }
-
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver
-    (
-        supported
-        (
-            linearStiffness(mesh, springs, springConstants, elementTerm),
-            mesh
-        )
-    );
-    if (solver.info() != Eigen::Success)
-    {
-        FatalErrorInFunction
-            << "The spring network is not rigid" << exit(FatalError);
-    }
-
-    const Eigen::MatrixXd displacements = solver.solve(loads);
-    return forces.transpose()*displacements/volume;
-}
-
-
-Foam::scalar Foam::fsi::springCalibration::averageModulus
-(
-    const Eigen::Matrix3d& S
-)
-{
-    return 8/(3*S(0, 0) + 3*S(1, 1) + 2*S(0, 1) + S(2, 2));
-}
-
-
 Foam::scalarField Foam::fsi::springCalibration::calibrated
 (
     const shapeMesh& mesh,
@@ -259,26 +60,55 @@ Foam::scalarField Foam::fsi::springCalibration::calibrated
     const scalar youngsModulus
 )
 {
-    const scalarField unit
+    const scalar pi = constant::mathematical::pi;
+    const scalar factor =
+        regularFactor(youngsModulus, elementTerm.stiffness());
+    scalarField constants
     (
-        youngsModulus*vanGelder(mesh, springs, elementTerm.volumes())
+        factor*youngsModulus*vanGelder(mesh, springs, elementTerm.volumes())
     );
 
-    // The modulus is nearly proportional to the factor
-    scalar factor = regularFactor(youngsModulus, elementTerm.stiffness());
-    for (label iteration = 0; iteration < 50; ++iteration)
+    // Poisson's ratio from 2 mu (1 + nu) = E, and the gains of the harmonics
+    const scalar nu = 4/(3*factor) - 1;
+    const scalar gain0 = sqr(1 - nu) + 0.5*sqr(1 + nu);
+    const scalar gain2 = min(gain0/(1 - sqr(nu)), scalar(4));
+    const scalar gain4 = 4*gain0/sqr(1 + nu);
+
+    for (label iteration = 0; iteration < 30; ++iteration)
     {
-        const scalar ratio = youngsModulus/averageModulus
+        const Eigen::Matrix3d S
         (
-            compliance(mesh, springs, factor*unit, elementTerm, thickness)
+            patchTest::compliance
+            (
+                mesh, springs, constants, elementTerm, thickness
+            )
         );
-        factor *= ratio;
-        if (mag(ratio - 1) < 1e-10)
+
+        scalar largest = 0;
+        forAll(springs, springi)
+        {
+            const vector d = springs[springi].vec(mesh.points);
+            const scalar angle = std::atan2(d.y(), d.x());
+            const scalar at0 = patchTest::modulusInverse(S, angle);
+            const scalar at45 = patchTest::modulusInverse(S, angle + 0.25*pi);
+            const scalar at90 = patchTest::modulusInverse(S, angle + 0.5*pi);
+            const scalar at135 = patchTest::modulusInverse(S, angle - 0.25*pi);
+
+            // Harmonics 0, 2 and 4 of E/E(angle)
+            const scalar mean =
+                0.25*youngsModulus*(at0 + at45 + at90 + at135);
+            const scalar second = 0.5*youngsModulus*(at0 - at90);
+            const scalar fourth = youngsModulus*at0 - mean - second;
+            const scalar correction = mean - 1 + gain2*second + gain4*fourth;
+            constants[springi] *= 1 + correction;
+            largest = max(largest, mag(correction));
+        }
+        if (largest < 1e-8)
         {
             break;
         }
     }
-    return factor*unit;
+    return constants;
 }
 
 

@@ -89,6 +89,8 @@ Foam::fsi::poissonProblem::poissonProblem
 :
     lattice_(lattice),
     singular_(fixed.empty()),
+    hasReference_(false),
+    reference_(0),
     p_
     (
         IOobject(fieldName, "0", lattice.mesh()),
@@ -179,6 +181,20 @@ void Foam::fsi::poissonProblem::mask
 }
 
 
+void Foam::fsi::poissonProblem::setReference(const scalar value)
+{
+    hasReference_ = true;
+    reference_ = value;
+}
+
+
+void Foam::fsi::poissonProblem::addDiagonal(const scalar value)
+{
+    added_.primitiveFieldRef() += value;
+    setSource();
+}
+
+
 Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
 (
     const string& controls
@@ -195,11 +211,16 @@ Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
       - fvm::Sp(added_, p_)
      == source_
     );
+    if (hasReference_)
+    {
+        eqn.setReference(Pstream::master() ? 0 : -1, reference_);
+    }
     const solverPerformance performance = eqn.solve(dict);
 
     poissonResult result
     {
         p_.primitiveField(),
+        0,
         performance.nIterations(),
         performance.initialResidual(),
         performance.finalResidual(),
@@ -207,7 +228,8 @@ Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
     };
     if (singular_)
     {
-        result.p -= gAverage(result.p);
+        result.mean = gAverage(result.p);
+        result.p -= result.mean;
     }
     return result;
 }

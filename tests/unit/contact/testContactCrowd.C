@@ -66,7 +66,7 @@ TEST(ContactCrowd, hundredDiscsThousandSteps)
 }
 
 
-// Six minutes on one core:
+// Nine minutes on one core:
 //     --gtest_also_run_disabled_tests --gtest_filter=*Slow*
 TEST(ContactCrowd, DISABLED_SlowThousandDiscsTenThousandSteps)
 {

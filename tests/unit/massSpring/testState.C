@@ -37,7 +37,8 @@ std::unique_ptr<bodyGroup> moving(const shapeTemplate& shape)
     for (label i = 0; i < 3; ++i)
     {
         const vector omega(0, 0, i);
-        group->append(point(i, 1, 0), tensor::I, vector(1, 0, 0), omega, 10 + i);
+        const vector v(1, 0, 0);
+        group->append(point(i, 1, 0), tensor::I, v, omega, 10 + i);
     }
     run(*group, unevenForce(*group, 20), 5e-3, 5);
     return group;

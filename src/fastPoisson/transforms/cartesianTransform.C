@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "cartesianTransform.H"
+#include "PstreamReduceOps.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::cartesianTransform::total(scalar value) const
+{
+    reduce(value, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    return value;
+}
+
+
+void Foam::fsi::cartesianTransform::divide(double* values) const
+{
+    const label nx = eigenvalues_[0].size();
+    const scalar* x = eigenvalues_[0].cdata();
+    const scalar scale = transform_->scale();
+    double* row = values;
+    for (const scalar z : eigenvalues_[2])
+    {
+        for (const scalar y : eigenvalues_[1])
+        {
+            const scalar yz = y + z + coefficients_->diagonal();
+            const label first = (row == values && x[0] + yz <= 0) ? 1 : 0;
+            if (first)
+            {
+                row[0] /= zeroMode_*scale;
+            }
+            #pragma omp simd
+            for (label i = first; i < nx; ++i)
+            {
+                row[i] /= (x[i] + yz)*scale;
+            }
+            row += nx;
+        }
+    }
+}
+
+
+void Foam::fsi::cartesianTransform::apply
+(
+    const scalarField& r,
+    scalarField& z
+) const
+{
+    double* values = transform_ ? transform_->values() : nullptr;
+    transfer_.toBlock(r, 1, values);
+    if (transform_)
+    {
+        transform_->forward();
+        divide(values);
+        transform_->backward();
+    }
+    transfer_.toCells(values, 1, z);
+}
+
+
+void Foam::fsi::cartesianTransform::correct(scalarField& psi) const
+{
+    // The reference cell's row is that of the others with e x_ref added: the
+    // sum of all rows is e x_ref if the rest is singular
+    const label place = coefficients_->referencePlace();
+    const scalar excess = coefficients_->referenceExcess();
+    const bool shifts = coefficients_->singular() && excess > 0;
+    scalar reference = 0;
+    if (shifts)
+    {
+        lattice_.transfer().toCells(r_.cdata(), 1, cellR_);
+        reference = total(sum(cellR_))/excess;
+        if (place >= 0)
+        {
+            r_[place] -= excess*reference;
+        }
+    }
+    lattice_.transfer().toCells(r_.cdata(), 1, cellR_);
+    apply(cellR_, cellZ_);
+
+    if (shifts)
+    {
+        lattice_.transfer().toBlock(cellZ_, 1, Ax_.data());
+        cellZ_ += reference - total(place >= 0 ? Ax_[place] : 0);
+    }
+    psi += cellZ_;
+}
+
+
+Foam::scalar Foam::fsi::cartesianTransform::residual
+(
+    const scalarField& psi,
+    const scalarField& source
+) const
+{
+    lattice_.transfer().toBlock(psi, 1, x_.data());
+    lattice_.transfer().toBlock(source, matrix_.sign(), r_.data());
+    matrix_.halo().fill(x_.data());
+    product(matrix_.A(), x_.cdata(), Ax_.data());
+
+    scalar sum = 0;
+    forAll(r_, place)
+    {
+        r_[place] -= Ax_[place];
+        sum += mag(r_[place]);
+    }
+    return total(sum);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::cartesianTransform::cartesianTransform(const polyMesh& mesh)
+:
+    lattice_(cartesianLattice::New(mesh)),
+    matrix_(lattice_),
+    transfer_(lattice_.map(), lattice_.partition().whole(false)),
+    zeroMode_(1),
+    cellR_(mesh.nCells()),
+    cellZ_(mesh.nCells())
+{
+    const scalar nCells = total(scalar(mesh.nCells()));
+    if (label(std::lround(nCells)) != lattice_.partition().nCells())
+    {
+        FatalErrorInFunction
+            << "cartesianFFT needs a box of cells without holes and steps; "
+            << "use cartesianMG or GAMG for this mesh." << exit(FatalError);
+    }
+    for (scalarField* field : {&x_, &r_, &Ax_})
+    {
+        field->setSize(lattice_.layout().size(), 0);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::cartesianTransform::update
+(
+    const lduMatrix& matrix,
+    const FieldField<Field, scalar>& interfaceBouCoeffs,
+    const lduInterfaceFieldPtrsList& interfaces,
+    const bool exact
+)
+{
+    matrix_.update(matrix, interfaceBouCoeffs, interfaces);
+    coefficients_.reset(new constantCoefficients(matrix_));
+    const constantCoefficients& found = *coefficients_;
+    if (exact && !found.reason().empty())
+    {
+        FatalErrorInFunction
+            << "cartesianFFT solves equations with constant coefficients "
+            << "only, but " << found.reason() << '.' << nl
+            << "    Use 'solver cartesianMG;', or"
+            << " 'solver PCG; preconditioner cartesianFFT;', or GAMG."
+            << exit(FatalError);
+    }
+
+    const FixedList<boxTransform::ends, 3> kinds(found.kinds());
+    if (lattice_.rank() == 0)
+    {
+        if (!transform_ || transform_->kinds() != kinds)
+        {
+            transform_.reset
+            (
+                new boxTransform(lattice_.map().n(), kinds)
+            );
+        }
+        for (direction d = 0; d < 3; ++d)
+        {
+            eigenvalues_[d] = found.face()[d]*transform_->eigenvalues(d);
+        }
+        // A preconditioner must not lose the constant: as the longest wave
+        const label longest = eigenvalues_[0].size() > 1 ? 1 : 0;
+        zeroMode_ = max(eigenvalues_[0][longest], VSMALL);
+    }
+}
+
+
+void Foam::fsi::cartesianTransform::precondition
+(
+    scalarField& z,
+    const scalarField& r
+) const
+{
+    cellR_ = matrix_.sign()*r;
+    apply(cellR_, z);
+}
+
+
+Foam::solverPerformance Foam::fsi::cartesianTransform::solve
+(
+    scalarField& psi,
+    const scalarField& source,
+    const word& fieldName,
+    const scalar tolerance,
+    const scalar relTol,
+    const label minIter,
+    const label maxIter
+) const
+{
+    solverPerformance result("cartesianFFT", fieldName);
+    scalar left = residual(psi, source);
+
+    // The source in this rank's box, for the normalisation
+    lattice_.transfer().toBlock(source, matrix_.sign(), x_.data());
+    const scalar nCells = lattice_.partition().nCells();
+    const scalar factor =
+        matrix_.normFactor(Ax_, x_, total(sum(psi))/nCells);
+    result.initialResidual() = left/factor;
+    result.finalResidual() = result.initialResidual();
+
+    while
+    (
+        result.nIterations() < minIter
+     || (
+            result.nIterations() < maxIter
+         && !result.checkConvergence(tolerance, relTol)
+        )
+    )
+    {
+        correct(psi);
+        left = residual(psi, source);
+        const bool stalls = left/factor > 0.5*result.finalResidual();
+        result.finalResidual() = left/factor;
+        ++result.nIterations();
+        if (stalls)
+        {
+            break;
+        }
+    }
+    result.checkConvergence(tolerance, relTol);
+    return result;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads what fsiPisoFoam wrote: tables, fields, and the state of the objects;
+tests polygons for overlap."""
+
+import csv
+import glob
+import os
+import re
+from fractions import Fraction
+
+
+def table(case, name):
+    """Rows of postProcessing/fsiObjects/*/NAME as dictionaries of numbers."""
+    rows = []
+    for path in sorted(
+        glob.glob(os.path.join(case, "postProcessing/fsiObjects/*", name)),
+        key=lambda p: float(p.split(os.sep)[-2])
+    ):
+        with open(path, encoding="ascii") as stream:
+            for row in csv.DictReader(stream):
+                rows.append({k: v if k == "shape" else float(v)
+                             for k, v in row.items()})
+    if not rows:
+        raise ValueError(f"{case} has no {name}")
+    return rows
+
+
+def times(case):
+    """Names of the time folders, in order."""
+    names = [n for n in os.listdir(case) if re.fullmatch(r"[0-9.e+-]+", n)]
+    return sorted(names, key=float)
+
+
+def numbers(text, key):
+    """The list of numbers of an ascii entry; of vectors, all components."""
+    match = re.search(
+        rf"(?m)^{key}\s+(?:nonuniform\s+)?(?:List<\w+>\s+)?(\d+)\s*"
+        r"(?:\{([^}]*)\}|\(([\s\d.eE+()-]*)\)\s*;)", text)
+    if match is None:
+        raise ValueError(f"no list {key}")
+    n, same, values = match.groups()
+    if same is not None:
+        return [float(same)]*int(n)
+    return [float(v) for v in re.sub("[()]", " ", values).split()]
+
+
+def read(*path):
+    """The text of a file."""
+    with open(os.path.join(*path), encoding="ascii") as stream:
+        return stream.read()
+
+
+def state(case, time, rank=""):
+    """Of each object id: shape, and the positions of all nodes, boundary nodes
+    first, and the number of boundary nodes; rank is a folder processorN."""
+    objects = {}
+    folder = os.path.join(case, rank, time, "uniform/fsiObjects")
+    for shape in sorted(os.listdir(folder)):
+        text = read(folder, shape)
+        ids = [int(i) for i in numbers(text, "objectIds")]
+        flat = numbers(text, "positions")
+        n = len(flat)//(2*len(ids)) if ids else 0
+        definition = read(case, "constant/fsiObjects", shape)
+        n_boundary = int(re.search(r"nBoundaryNodes\s+(\d+)",
+                                   definition).group(1))
+        for copy, number in enumerate(ids):
+            x = flat[2*n*copy:2*n*copy + n]
+            y = flat[2*n*copy + n:2*n*(copy + 1)]
+            objects[number] = (shape, list(zip(x, y)), n_boundary)
+    return objects
+
+
+def outlines(case, time, rank=""):
+    """The polygon of each object id, counter-clockwise."""
+    return {i: points[:n]
+            for i, (_, points, n) in state(case, time, rank).items()}
+
+
+def centroid(polygon):
+    """Centroid of a polygon."""
+    # About a node, against cancellation
+    x0, y0 = polygon[0]
+    area = sx = sy = 0
+    for (ax, ay), (bx, by) in edges(polygon):
+        cross = (ax - x0)*(by - y0) - (bx - x0)*(ay - y0)
+        area += cross
+        sx += (ax + bx - 2*x0)*cross
+        sy += (ay + by - 2*y0)*cross
+    return x0 + sx/(3*area), y0 + sy/(3*area)
+
+
+def area(polygon):
+    """Area of a polygon, > 0 if it is counter-clockwise."""
+    x0, y0 = polygon[0]
+    return sum((ax - x0)*(by - y0) - (bx - x0)*(ay - y0)
+               for (ax, ay), (bx, by) in edges(polygon))/2
+
+
+def edges(polygon):
+    """Pairs of neighbouring points."""
+    return zip(polygon, polygon[1:] + polygon[:1])
+
+
+def orientation(a, b, c):
+    """Sign of the area of the triangle, exact."""
+    left, right = (b[0] - a[0])*(c[1] - a[1]), (b[1] - a[1])*(c[0] - a[0])
+    value = left - right
+    if abs(value) < 1e-14*(abs(left) + abs(right)) or value == 0:
+        ax, ay, bx, by, cx, cy = map(Fraction, (*a, *b, *c))
+        value = (bx - ax)*(cy - ay) - (by - ay)*(cx - ax)
+    return (value > 0) - (value < 0)
+
+
+def segments_meet(a, b, c, d):
+    """True if two closed segments have a point in common."""
+    for i in (0, 1):
+        if (max(a[i], b[i]) < min(c[i], d[i])
+                or max(c[i], d[i]) < min(a[i], b[i])):
+            return False
+    return (orientation(a, b, c)*orientation(a, b, d) <= 0
+            and orientation(c, d, a)*orientation(c, d, b) <= 0)
+
+
+def inside(polygon, p):
+    """True if a point is inside a polygon (exact winding by crossings)."""
+    odd = False
+    for a, b in edges(polygon):
+        if (a[1] > p[1]) != (b[1] > p[1]):
+            odd ^= orientation(a, b, p) == (1 if b[1] > a[1] else -1)
+    return odd
+
+
+def box(polygon):
+    """Smallest and largest coordinates."""
+    return tuple(f(p[i] for p in polygon) for i in (0, 1) for f in (min, max))
+
+
+def overlap(one, other):
+    """True if two polygons have a point in common."""
+    b, c = box(one), box(other)
+    if any(b[i] > c[i + 1] or c[i] > b[i + 1] for i in (0, 2)):
+        return False
+
+    # Only edges in the other's box can meet it
+    def near(polygon, limits):
+        return [e for e in edges(polygon)
+                if all(min(e[0][i], e[1][i]) <= limits[2*i + 1]
+                       and max(e[0][i], e[1][i]) >= limits[2*i]
+                       for i in (0, 1))]
+
+    if any(segments_meet(*e, *f) for e in near(one, c) for f in near(other, b)):
+        return True
+    return inside(one, other[0]) or inside(other, one[0])
+
+
+def overlapping(polygons):
+    """Pairs of keys of a dictionary of polygons that overlap."""
+    keys = sorted(polygons)
+    return [(i, j) for i in keys for j in keys
+            if i < j and overlap(polygons[i], polygons[j])]

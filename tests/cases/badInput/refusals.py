@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad input ends seedObjects or fsiPisoFoam in a FOAM FATAL (IO) ERROR that
+names the file and the key.
+
+    refusals.py FOLDER
+
+Each line of the tables is a name, what is wrong, and texts of the message.
+"""
+
+import os
+import sys
+
+import fsiCase
+
+SHAPE = ("disc {{ shape {{ {shape} }} material {{ density {density}; E 1e4; "
+         "{law} }} {more} }}")
+PLACEMENT = "a {{ type {type}; shape disc; objects ({objects}); }}"
+
+GOOD = {"shape": "type circle; radius 0.1;", "density": "1.1", "law": "",
+        "more": "", "type": "listed", "objects": "{ centre (0.5 0.5 0); }"}
+
+# Entries of GOOD that are replaced
+SEEDING = [
+    ("wrong key of a shape", {"more": "colour red;"},
+     ("colour", "material")),
+    ("wrong key of a material", {"law": "colour red;"},
+     ("colour", "density")),
+    ("wrong key of an outline", {"shape": GOOD["shape"] + " colour red;"},
+     ("colour", "radius")),
+    ("unknown shape", {"shape": "type blob;"}, ("blob", "circle")),
+    ("unknown spring law", {"law": "springLaw { type gum; }"},
+     ("gum", "Hookean")),
+    ("unknown motion", {"more": "motion { type jumping; }"},
+     ("jumping", "oscillating")),
+    ("unknown placement", {"type": "heap"}, ("heap", "listed")),
+    ("overlapping objects",
+     {"objects": "{ centre (0.5 0.5 0); } { centre (0.6 0.5 0); }"},
+     ("objects", "object 1", "object 0")),
+    ("object thinner than 3 h", {"shape": "type circle; radius 0.04;"},
+     ("shape", "disc", "3 cells")),
+    ("negative density", {"density": "-1"}, ("density", "-1")),
+    ("negative radius", {"shape": "type circle; radius -0.1;"},
+     ("radius", "-0.1")),
+    ("polygon without a file", {"shape": 'type polygon; file "nowhere.csv";'},
+     ("nowhere.csv",)),
+    ("unreadable polygon", {"shape": 'type polygon; file "bad.csv";'},
+     ("bad.csv",)),
+    ("self-crossing polygon", {"shape": 'type polygon; file "crossed.csv";'},
+     ("crossed.csv", "cross")),
+]
+
+# Text that is added to fsiProperties
+PROPERTIES = [
+    ("wrong key in fsiProperties", "colour red;", ("colour", "gravity")),
+    ("wrong key of the coupling", "coupling { colour red; }",
+     ("colour", "coupling")),
+    ("wrong key of the level set", "levelSet { colour red; }",
+     ("colour", "bandWidth")),
+    ("wrong key of the contact", "contact { colour red; }",
+     ("colour", "range")),
+    ("wrong key of the contact law", "contact { law { colour red; } }",
+     ("colour", "stiffness")),
+    ("wrong key of the output", "output { colour red; }",
+     ("colour", "output")),
+    ("unknown wall", "wall brick;", ("wall", "brick", "openArea")),
+    ("unknown coupling", "coupling { type tight; }",
+     ("coupling", "tight", "solidImplicit")),
+    ("unknown load", "coupling { type weak; load cargo; }",
+     ("load", "cargo", "wallForce")),
+    ("unknown level set", "levelSet { type guessed; }",
+     ("levelSet", "guessed", "rebuilt")),
+    ("unknown contact law", "contact { law { type glue; } }",
+     ("law", "glue", "elastic")),
+    ("unknown contact search", "contact { search { type luck; } }",
+     ("search", "luck", "surfaceCells")),
+    ("negative fluid density", "fluidDensity -1;", ("fluidDensity", "-1")),
+]
+
+
+def refused(report, name, case, program, texts):
+    """Runs a program that must end in an error with those texts."""
+    try:
+        case.run(program, limit=120)
+    except RuntimeError:
+        pass
+    else:
+        report.check(name, False, f"{program} accepted it")
+        return
+    with open(os.path.join(case.path, "log." + program),
+              encoding="utf-8") as stream:
+        log = stream.read()
+    start = log.find("--> FOAM FATAL")
+    if start < 0:
+        report.check(name, False, "no FOAM FATAL ERROR: "
+                     + " ".join(log[-300:].split()))
+        return
+    message = log[start:]
+    missing = [t for t in texts if t not in message]
+    report.check(name, not missing,
+                 f"no {missing} in: {' '.join(message.split())[:300]}")
+
+
+def shapes(changes):
+    """Entries shapes and placements of a case."""
+    words = {**GOOD, **changes}
+    return {"shapes": SHAPE.format(**words),
+            "placements": PLACEMENT.format(**words)}
+
+
+def check_seeding(report, case):
+    """What seedObjects refuses."""
+    for name, content in (("bad.csv", "a,b\n0,zero\n"),
+                          ("crossed.csv", "0,0\n0.2,0.2\n0.2,0\n0,0.2\n")):
+        with open(os.path.join(case.path, name), "w",
+                  encoding="ascii") as stream:
+            stream.write(content)
+
+    for name, changes, texts in SEEDING:
+        changes = {k: v.replace('file "', f'file "{case.path}/')
+                   for k, v in changes.items()}
+        case.values.update(shapes(changes))
+        case.write()
+        refused(report, name, case, "seedObjects",
+                ("FATAL IO ERROR", "seedObjectsDict") + texts)
+
+    case.values.update(shapes({}))
+    case.write()
+    with open(os.path.join(case.path, "system/seedObjectsDict"), "a",
+              encoding="ascii") as stream:
+        stream.write("colour red;\n")
+    refused(report, "wrong key in seedObjectsDict", case, "seedObjects",
+            ("FATAL IO ERROR", "seedObjectsDict", "colour", "placements"))
+
+
+def check_properties(report, case):
+    """What fsiPisoFoam refuses in constant/fsiProperties."""
+    for name, text, texts in PROPERTIES:
+        case.values["properties"] = text + "\n"
+        case.write()
+        refused(report, name, case, "fsiPisoFoam",
+                ("FATAL IO ERROR", "fsiProperties") + texts)
+    case.values["properties"] = ""
+    case.write()
+
+
+def check_control(report, case):
+    """Time steps and meshes that fsiPisoFoam refuses."""
+    for value in ("0", "-0.01"):
+        case.control(deltaT=value)
+        refused(report, f"time step {value}", case, "fsiPisoFoam",
+                ("FATAL IO ERROR", "controlDict", "deltaT"))
+    case.control(deltaT=0.01)
+
+    case.values["grading"] = "2 1 1"
+    case.write()
+    case.run("blockMesh")
+    for program in ("seedObjects", "fsiPisoFoam"):
+        refused(report, f"graded mesh, {program}", case, program,
+                ("FATAL ERROR", "polyMesh", "cell", "uniform Cartesian"))
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    case = fsiCase.Case(os.path.join(folder, "case"), cells=(32, 32),
+                        endTime=0.01, **shapes({}))
+    if report.attempt("set-up", case.set_up):
+        case.run("fsiPisoFoam")
+        report.check("good input is accepted", True)
+        check_seeding(report, case)
+        check_properties(report, case)
+        check_control(report, case)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
