@@ -8,7 +8,10 @@
 namespace
 {
 
-// Seconds that FFTW may try out how to transform
+// FFTW tries out how to transform boxes of more cells than this ...
+constexpr Foam::scalar manyCells = 20000;
+
+// ... for at most so many seconds
 constexpr double planningTime = 5;
 
 } // End anonymous namespace
@@ -61,11 +64,11 @@ Foam::fsi::boxTransform::boxTransform
             ++rank;
         }
     }
+    const bool many = scalar(n.x())*n.y()*n.z() > manyCells;
+    const unsigned effort = many ? FFTW_MEASURE : FFTW_ESTIMATE;
     fftw_set_timelimit(planningTime);
-    forward_ =
-        fftw_plan_r2r(rank, sizes, values_, values_, forward, FFTW_MEASURE);
-    backward_ =
-        fftw_plan_r2r(rank, sizes, values_, values_, backward, FFTW_MEASURE);
+    forward_ = fftw_plan_r2r(rank, sizes, values_, values_, forward, effort);
+    backward_ = fftw_plan_r2r(rank, sizes, values_, values_, backward, effort);
 }
 
 

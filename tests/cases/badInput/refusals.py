@@ -165,9 +165,12 @@ def main(folder):
     report = fsiCase.Report()
     case = fsiCase.Case(os.path.join(folder, "case"), cells=(32, 32),
                         endTime=0.01, **shapes({}))
-    if report.attempt("set-up", case.set_up):
-        case.run("fsiPisoFoam")
-        report.check("good input is accepted", True)
+    log = (report.attempt("set-up", case.set_up)
+           and report.attempt("good input is accepted", case.run,
+                              "fsiPisoFoam"))
+    if log:
+        report.check("good input is accepted", log.rstrip().endswith("End"),
+                     "no End in the log")
         check_seeding(report, case)
         check_properties(report, case)
         check_control(report, case)

@@ -18,10 +18,15 @@ import results
 
 DIAMETER = 0.25
 
-# From the limits for 16 cells per diameter, by the measured order: see check
+# 16 cells: the tolerances agreed on for this case; y: 1 % of the way, what
+# the digitised curve can tell. 8 cells: from 8 to 16 cells the speed changes
+# by 0.016 and the time at y = 2 by 0.0005, so with first order the coarse mesh
+# is at most twice that from the limit of zero spacing: the tolerances are wider
+# by this and rounded up. The drift comes from the asymmetry of the disc's mesh
+# and of its walls; 4 times as much for half the cells
 LIMITS = {
-    16: {"speed": 0.15, "t(y=2)": 0.010, "t(y=1)": 0.015, "y": 0.06},
-    8: {"speed": 0.45, "t(y=2)": 0.030, "t(y=1)": 0.045, "y": 0.18},
+    16: {"speed": 0.15, 2: 0.010, 1: 0.015, "y": 0.03, "drift": 1e-3},
+    8: {"speed": 0.19, 2: 0.012, 1: 0.018, "y": 0.04, "drift": 4e-3},
 }
 
 
@@ -66,12 +71,12 @@ def main(folder, cells, dt, end):
                  f"{min(steady):.4f} to {max(steady):.4f}, not 5.55")
     print(f"    speed {min(steady):.4f} to {max(steady):.4f}")
     for y, expected in ((2, 0.434), (1, 0.613)):
-        if rows[-1]["centroidY"] > y and end < expected:
+        if end < expected + limit[y]:
             continue
         t = crossing(rows, y)
         print(f"    y = {y} at t = {t:.4f} (reference {expected})")
         report.check(f"time at y = {y}",
-                     abs(t - expected) <= limit[f"t(y={y})"],
+                     abs(t - expected) <= limit[y],
                      f"{t:.4f}, not {expected}")
 
     at = {round(r["time"], 4): r for r in rows}
@@ -84,7 +89,8 @@ def main(folder, cells, dt, end):
     report.check("trajectory", max(errors) <= limit["y"],
                  f"{max(errors):.4f} away")
     drift = max(abs(r["centroidX"] - 1) for r in rows)
-    report.check("no drift to the side", drift <= 1e-3, f"{drift:.2e}")
+    report.check("no drift to the side", drift <= limit["drift"],
+                 f"{drift:.2e}")
 
 
 if __name__ == "__main__":
