@@ -157,7 +157,8 @@ Foam::label Foam::fsi::viscousCoupling::iterate
     scalar& finalResidual
 ) const
 {
-    const scalar tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-7);
+    const scalar tolerance =
+        controls.lookupOrDefault<scalar>("tolerance", 1e-7);
     const scalar relTol = controls.lookupOrDefault<scalar>("relTol", 0);
     const label maxIter = controls.lookupOrDefault<label>("maxIter", 1000);
 

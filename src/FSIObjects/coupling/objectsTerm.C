@@ -3,6 +3,59 @@
 #include "objectsTerm.H"
 #include <algorithm>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- What a cell's pressure does to a component of a node [m^2]
+struct cellLoad
+{
+    label cell;
+    label dof;
+    scalar value;
+};
+
+
+//- Loads of all cells, by cell and component: those that a cell has on one
+//  node stand together, so that they can be summed before they are squared
+static std::vector<cellLoad> sortedLoads(const interfaceGeometry& geometry)
+{
+    std::vector<cellLoad> loads;
+    for (const wallFace& w : geometry.wallFaces())
+    {
+        for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
+        {
+            const label dof = 3*w.place.nodes[k] + w.dir;
+            const scalar value = w.area*w.place.weights[k];
+            if (w.lower >= 0)
+            {
+                loads.push_back({w.lower, dof, value});
+            }
+            if (w.upper >= 0)
+            {
+                loads.push_back({w.upper, dof, -value});
+            }
+        }
+    }
+    std::sort
+    (
+        loads.begin(),
+        loads.end(),
+        [](const cellLoad& a, const cellLoad& b)
+        {
+            return a.cell != b.cell ? a.cell < b.cell : a.dof < b.dof;
+        }
+    );
+    return loads;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::objectsTerm::rowSums(scalarField& d) const
@@ -52,39 +105,7 @@ void Foam::fsi::objectsTerm::nodeDiagonal(scalarField& d) const
         }
     }
 
-    // A cell's loads on a node are summed before they are squared
-    struct load
-    {
-        label cell;
-        label dof;
-        scalar value;
-    };
-    std::vector<load> loads;
-    for (const wallFace& w : system_.geometry.wallFaces())
-    {
-        for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
-        {
-            const label dof = 3*w.place.nodes[k] + w.dir;
-            const scalar value = w.area*w.place.weights[k];
-            if (w.lower >= 0)
-            {
-                loads.push_back({w.lower, dof, value});
-            }
-            if (w.upper >= 0)
-            {
-                loads.push_back({w.upper, dof, -value});
-            }
-        }
-    }
-    std::sort
-    (
-        loads.begin(),
-        loads.end(),
-        [](const load& a, const load& b)
-        {
-            return a.cell != b.cell ? a.cell < b.cell : a.dof < b.dof;
-        }
-    );
+    const std::vector<cellLoad> loads(sortedLoads(system_.geometry));
 
     d = Zero;
     for (std::size_t i = 0; i < loads.size();)

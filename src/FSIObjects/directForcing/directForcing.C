@@ -115,10 +115,11 @@ void Foam::fsi::directForcing::takeLoad(const vectorField& U)
     {
         const bodyGroup& group = system_.objects.groups()[groupi];
         const shapeTemplate& shape = group.shape();
-        const scalar omega = shape.density()/(shape.density() + virtualMass_*rho);
+        const scalar density = shape.density();
+        const scalar omega = density/(density + virtualMass_*rho);
         sumOverRanks(load[groupi]);
 
-        const scalar inertia = rho/(shape.density()*dt0);
+        const scalar inertia = rho/(density*dt0);
         for (Eigen::Index nodei = 0; nodei < load[groupi].rows(); ++nodei)
         {
             load[groupi].row(nodei) +=

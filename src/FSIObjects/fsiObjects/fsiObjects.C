@@ -131,7 +131,10 @@ void Foam::fsi::fsiObjects::fillNewCells
         if (pk.coupled())
         {
             const scalarField k(pk.patchNeighbourField());
-            const scalarField pn(p.boundaryField()[patchi].patchNeighbourField());
+            const scalarField pn
+            (
+                p.boundaryField()[patchi].patchNeighbourField()
+            );
             const labelUList& cells = pk.patch().faceCells();
             forAll(cells, i)
             {

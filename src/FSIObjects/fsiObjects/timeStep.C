@@ -10,7 +10,10 @@
 Foam::fsi::timeStep::timeStep(Time& time)
 :
     time_(time),
-    adjust_(time.controlDict().lookupOrDefault<Switch>("adjustTimeStep", false)),
+    adjust_
+    (
+        time.controlDict().lookupOrDefault<Switch>("adjustTimeStep", false)
+    ),
     maxCo_(readPositive(time.controlDict(), "maxCo", 0.5)),
     maxDeltaT_
     (

@@ -2,87 +2,6 @@
 
 #include "immersedFluid.H"
 #include "levelSetUpdate.H"
-#include "fvcSnGrad.H"
-#include "extrapolatedCalculatedFvPatchFields.H"
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
-{
-    const fvMesh& mesh = gradient.mesh();
-    const boolList& fluid = geometry_.fluidCell();
-
-    // Sums over fluid neighbours of each solid cell that has any
-    vectorField sum(mesh.nCells(), Zero);
-    scalarField count(mesh.nCells(), Zero);
-    const auto add = [&](const label celli, const vector& g)
-    {
-        if (!fluid[celli])
-        {
-            sum[celli] += g;
-            count[celli] += 1;
-        }
-    };
-
-    const labelUList& own = mesh.owner();
-    const labelUList& nei = mesh.neighbour();
-    forAll(own, facei)
-    {
-        if (fluid[own[facei]] != fluid[nei[facei]])
-        {
-            add(own[facei], gradient[nei[facei]]);
-            add(nei[facei], gradient[own[facei]]);
-        }
-    }
-
-    // A neighbour across a coupled patch is fluid where it has a link, or
-    // where the mask says so; the mask of the face is 0 for a solid cell here
-    volScalarField mask
-    (
-        IOobject("fluidMask", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimless, Zero)
-    );
-    forAll(fluid, celli)
-    {
-        mask[celli] = fluid[celli] ? 1 : 0;
-    }
-    mask.correctBoundaryConditions();
-    forAll(mask.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pm = mask.boundaryField()[patchi];
-        if (pm.coupled())
-        {
-            const scalarField across(pm.patchNeighbourField());
-            const vectorField g
-            (
-                gradient.boundaryField()[patchi].patchNeighbourField()
-            );
-            const labelUList& cells = pm.patch().faceCells();
-            forAll(cells, i)
-            {
-                if (across[i] > 0.5)
-                {
-                    add(cells[i], g[i]);
-                }
-            }
-        }
-    }
-
-    forAll(count, celli)
-    {
-        if (count[celli] > 0)
-        {
-            gradient[celli] = sum[celli]/count[celli];
-        }
-        else if (!fluid[celli])
-        {
-            gradient[celli] = Zero;
-        }
-    }
-    gradient.correctBoundaryConditions();
-}
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -93,86 +12,24 @@ Foam::fsi::immersedFluid::immersedFluid
 )
 :
     geometry_(geometry),
-    faceVelocity_(geometry.grid().mesh().nFaces(), Zero),
-    faceWasFluid_(geometry.grid().mesh().nFaces(), false),
+    faceVelocity_
+    (
+        IOobject
+        (
+            "faceVelocity",
+            geometry.grid().mesh().time().timeName(),
+            geometry.grid().mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        geometry.grid().mesh(),
+        dimensionedScalar("none", dimVelocity, GREAT)
+    ),
     ddtPhiCoeff_(dict.lookupOrDefault<scalar>("ddtPhiCoeff", -1))
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::gradient
-(
-    const volScalarField& p
-) const
-{
-    const fvMesh& mesh = p.mesh();
-    const surfaceScalarField snGrad(fvc::snGrad(p));
-    const surfaceScalarField& open = geometry_.openArea();
-
-    auto tgradient = tmp<volVectorField>::New
-    (
-        IOobject("grad(p)", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(p.dimensions()/dimLength, Zero),
-        extrapolatedCalculatedFvPatchVectorField::typeName
-    );
-    volVectorField& gradient = tgradient.ref();
-    vectorField weight(mesh.nCells(), Zero);
-
-    const auto add = [&]
-    (
-        const label celli,
-        const vector& normal,
-        const scalar w,
-        const scalar sn
-    )
-    {
-        const vector axis(cmptMag(normal));
-        gradient[celli] += w*sn*normal;
-        weight[celli] += w*axis;
-    };
-
-    const surfaceVectorField nf(mesh.Sf()/mesh.magSf());
-    const labelUList& own = mesh.owner();
-    const labelUList& nei = mesh.neighbour();
-    forAll(own, facei)
-    {
-        add(own[facei], nf[facei], open[facei], snGrad[facei]);
-        add(nei[facei], nf[facei], open[facei], snGrad[facei]);
-    }
-    forAll(p.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pp = p.boundaryField()[patchi];
-        if (pp.coupled() || pp.fixesValue())
-        {
-            const labelUList& cells = pp.patch().faceCells();
-            forAll(cells, i)
-            {
-                add
-                (
-                    cells[i],
-                    nf.boundaryField()[patchi][i],
-                    open.boundaryField()[patchi][i],
-                    snGrad.boundaryField()[patchi][i]
-                );
-            }
-        }
-    }
-
-    forAll(gradient, celli)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            gradient[celli][d] /= max(weight[celli][d], SMALL);
-        }
-    }
-    gradient.correctBoundaryConditions();
-    extendGradient(gradient);
-
-    return tgradient;
-}
-
 
 void Foam::fsi::immersedFluid::setSolidVelocity
 (
@@ -191,7 +48,10 @@ void Foam::fsi::immersedFluid::setSolidVelocity
         const label start = surfaces.pointStart()[objecti];
         const label end = surfaces.pointStart()[objecti + 1];
         mean[objecti] =
-            average(SubField<vector>(surfaces.velocities(), end - start, start));
+            average
+            (
+                SubField<vector>(surfaces.velocities(), end - start, start)
+            );
     }
 
     FixedList<scalar, 3> weights;

@@ -84,19 +84,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
 {
     const fvMesh& mesh = U.mesh();
 
-    // Provisional velocity without pressure; patches that fix the velocity
-    // keep it
-    volVectorField HbyA("HbyA", U);
-    HbyA.primitiveFieldRef() += rAU*gradient.primitiveField();
-    HbyA.correctBoundaryConditions();
-
-    auto tphi = tmp<surfaceScalarField>::New
-    (
-        "phiHbyA",
-        fvc::interpolate(HbyA) & mesh.Sf()
-    );
+    tmp<surfaceScalarField> tphi(interpolatedFlux(U, gradient, rAU));
     surfaceScalarField& phi = tphi.ref();
-    addHistory(U.oldTime(), phi);
 
     const scalarField wall
     (
@@ -149,6 +138,29 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
 }
 
 
+Foam::tmp<Foam::surfaceScalarField>
+Foam::fsi::immersedFluid::interpolatedFlux
+(
+    const volVectorField& U,
+    const volVectorField& gradient,
+    const scalar rAU
+) const
+{
+    // Patches that fix the velocity keep it
+    volVectorField HbyA("HbyA", U);
+    HbyA.primitiveFieldRef() += rAU*gradient.primitiveField();
+    HbyA.correctBoundaryConditions();
+
+    auto tphi = tmp<surfaceScalarField>::New
+    (
+        "phiHbyA",
+        fvc::interpolate(HbyA) & U.mesh().Sf()
+    );
+    addHistory(U.oldTime(), tphi.ref());
+    return tphi;
+}
+
+
 void Foam::fsi::immersedFluid::addHistory
 (
     const volVectorField& U0,
@@ -161,19 +173,18 @@ void Foam::fsi::immersedFluid::addHistory
 
     const auto add = [&]
     (
-        const label facei,
         const scalar bothFluid,
+        const scalar faceVelocity,
+        const vector& area,
         const scalar fluxU0,
         scalar& flux
     )
     {
-        if (bothFluid < 0.5 || !faceWasFluid_[facei])
+        if (bothFluid < 0.5 || faceVelocity > 0.5*GREAT)
         {
             return;
         }
-        const direction dir = geometry_.grid().faceDirection(facei);
-        const scalar flux0 =
-            faceVelocity_[facei]*mesh.faceAreas()[facei][dir];
+        const scalar flux0 = faceVelocity*(area.x() + area.y() + area.z());
         const scalar difference = flux0 - fluxU0;
         const scalar coeff =
             ddtPhiCoeff_ < 0
@@ -184,20 +195,27 @@ void Foam::fsi::immersedFluid::addHistory
 
     forAll(mesh.owner(), facei)
     {
-        add(facei, fluidFace[facei], interpolated[facei], phi[facei]);
+        add
+        (
+            fluidFace[facei],
+            faceVelocity_[facei],
+            mesh.Sf()[facei],
+            interpolated[facei],
+            phi[facei]
+        );
     }
     forAll(phi.boundaryField(), patchi)
     {
         fvsPatchScalarField& pphi = phi.boundaryFieldRef()[patchi];
         if (pphi.coupled())
         {
-            const label start = pphi.patch().start();
             forAll(pphi, i)
             {
                 add
                 (
-                    start + i,
                     fluidFace.boundaryField()[patchi][i],
+                    faceVelocity_.boundaryField()[patchi][i],
+                    mesh.Sf().boundaryField()[patchi][i],
                     interpolated.boundaryField()[patchi][i],
                     pphi[i]
                 );
@@ -211,40 +229,45 @@ void Foam::fsi::immersedFluid::storeFaceVelocity(const surfaceScalarField& phi)
 {
     const fvMesh& mesh = phi.mesh();
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    const surfaceScalarField& open = geometry_.openArea();
 
-    const auto store = [&]
+    // Faces are normal to an axis: the sum is the component along it
+    const auto velocity = []
     (
-        const label facei,
         const scalar bothFluid,
+        const scalar open,
+        const vector& area,
         const scalar flux
     )
     {
-        const scalar open = geometry_.openness()[facei];
-        faceWasFluid_[facei] = bothFluid > 0.5 && open > 0;
-        if (faceWasFluid_[facei])
-        {
-            const direction dir = geometry_.grid().faceDirection(facei);
-            faceVelocity_[facei] =
-                flux/(open*mesh.faceAreas()[facei][dir]);
-        }
+        return
+            bothFluid > 0.5 && open > 0
+          ? flux/(open*(area.x() + area.y() + area.z()))
+          : GREAT;
     };
 
     forAll(mesh.owner(), facei)
     {
-        store(facei, fluidFace[facei], phi[facei]);
+        faceVelocity_[facei] = velocity
+        (
+            fluidFace[facei],
+            open[facei],
+            mesh.Sf()[facei],
+            phi[facei]
+        );
     }
     forAll(phi.boundaryField(), patchi)
     {
         const fvsPatchScalarField& pphi = phi.boundaryField()[patchi];
         if (pphi.coupled())
         {
-            const label start = pphi.patch().start();
             forAll(pphi, i)
             {
-                store
+                faceVelocity_.boundaryFieldRef()[patchi][i] = velocity
                 (
-                    start + i,
                     fluidFace.boundaryField()[patchi][i],
+                    open.boundaryField()[patchi][i],
+                    mesh.Sf().boundaryField()[patchi][i],
                     pphi[i]
                 );
             }

@@ -119,7 +119,8 @@ void Foam::fsi::interfaceGeometry::setCells(const levelSetUpdate& levelSet)
     forAll(fluidCell_, celli)
     {
         fluidCell_[celli] =
-            activeCell_[celli] && levelSet.cellDistance()[haloIndex_[celli]] > 0;
+            activeCell_[celli]
+         && levelSet.cellDistance()[haloIndex_[celli]] > 0;
     }
 }
 

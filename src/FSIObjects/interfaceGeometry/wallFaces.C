@@ -93,6 +93,44 @@ void Foam::fsi::interfaceGeometry::setWallFaces
 }
 
 
+void Foam::fsi::interfaceGeometry::addWallLink
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces,
+    const label facei,
+    const label celli,
+    const direction dir,
+    const label sign
+)
+{
+    const scalar h = grid_.spacing();
+    const scalar area = pow(h, grid_.nDims() - 1)*grid_.thickness();
+    const scalarField& distance = levelSet.cellDistance();
+    const labelList& nearestFace = levelSet.nearestFace();
+    const label here = haloIndex_[celli];
+    const label there = here + sign*grid_.cells(1).stride(dir);
+
+    wallLink link;
+    link.cell = celli;
+    link.face = facei;
+    link.dir = dir;
+    link.wallDistance =
+        wall_.wallDistance(distance[here], min(distance[there], 0.0));
+    link.conductance = area/(link.wallDistance*h);
+
+    point wallPoint(grid_.mesh().C()[celli]);
+    wallPoint[dir] += sign*min(link.wallDistance, 1.0)*h;
+    link.place = nearestPlace
+    (
+        surfaces,
+        wallPoint,
+        nearestFace[here],
+        nearestFace[there]
+    );
+    wallLinks_.append(link);
+}
+
+
 void Foam::fsi::interfaceGeometry::setWallLinks
 (
     const levelSetUpdate& levelSet,
@@ -100,13 +138,6 @@ void Foam::fsi::interfaceGeometry::setWallLinks
 )
 {
     const fvMesh& mesh = grid_.mesh();
-    const scalar h = grid_.spacing();
-    const scalar area = pow(h, grid_.nDims() - 1)*grid_.thickness();
-    const scalarField& distance = levelSet.cellDistance();
-    const labelList& nearestFace = levelSet.nearestFace();
-    const cartesianBlock block(grid_.cells(1));
-
-    // Faces of this rank's fluid cells: an internal face has two sides
     const auto addLink = [&]
     (
         const label facei,
@@ -115,27 +146,7 @@ void Foam::fsi::interfaceGeometry::setWallLinks
         const label sign
     )
     {
-        const label here = haloIndex_[celli];
-        const label there = here + sign*block.stride(dir);
-
-        wallLink link;
-        link.cell = celli;
-        link.face = facei;
-        link.dir = dir;
-        link.wallDistance =
-            wall_.wallDistance(distance[here], min(distance[there], 0.0));
-        link.conductance = area/(link.wallDistance*h);
-
-        point wallPoint(mesh.C()[celli]);
-        wallPoint[dir] += sign*min(link.wallDistance, 1.0)*h;
-        link.place = nearestPlace
-        (
-            surfaces,
-            wallPoint,
-            nearestFace[here],
-            nearestFace[there]
-        );
-        wallLinks_.append(link);
+        addWallLink(levelSet, surfaces, facei, celli, dir, sign);
     };
 
     wallLinks_.clear();

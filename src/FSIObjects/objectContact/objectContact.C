@@ -52,7 +52,8 @@ Foam::List<Foam::fsi::contactWall> Foam::fsi::objectContact::findWalls
 
 Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
 {
-    scalar least = GREAT;
+    // Without shapes nothing touches, and any value will do
+    scalar least = objects.groups().empty() ? 1 : GREAT;
     forAll(objects.groups(), groupi)
     {
         least = min(least, objects.shape(groupi).youngsModulus());

@@ -12,6 +12,9 @@ namespace Foam
 namespace fsi
 {
 
+namespace
+{
+
 //- Rule of limit(): a gap does not shrink below the minimum, or below what it
 //  was if that was less. Never accelerates a pair apart
 class minimumGapRule
@@ -39,6 +42,8 @@ public:
         return max(min((minimum_ - gap)/dt, 0.0) - u, 0.0)/compliance;
     }
 };
+
+} // End anonymous namespace
 
 
 //- Read the ranges and check the entries

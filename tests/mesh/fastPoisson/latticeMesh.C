@@ -86,6 +86,25 @@ void Foam::fsi::latticeMesh::makeTime()
 }
 
 
+void Foam::fsi::latticeMesh::addPatchFaces
+(
+    DynamicList<face>& faces,
+    DynamicList<label>& owner
+)
+{
+    for (auto& patch : patches_)
+    {
+        patch.second.dict.add("startFace", faces.size());
+        patch.second.dict.add("nFaces", label(patch.second.faces.size()));
+        for (const auto& found : patch.second.faces)
+        {
+            faces.append(found.second.first);
+            owner.append(found.second.second);
+        }
+    }
+}
+
+
 void Foam::fsi::latticeMesh::makeMesh()
 {
     DynamicList<face> faces;
@@ -123,16 +142,7 @@ void Foam::fsi::latticeMesh::makeMesh()
         }
     }
 
-    for (auto& patch : patches_)
-    {
-        patch.second.dict.add("startFace", faces.size());
-        patch.second.dict.add("nFaces", label(patch.second.faces.size()));
-        for (const auto& found : patch.second.faces)
-        {
-            faces.append(found.second.first);
-            owner.append(found.second.second);
-        }
-    }
+    addPatchFaces(faces, owner);
 
     mesh_.reset
     (

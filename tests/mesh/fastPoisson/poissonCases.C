@@ -48,7 +48,12 @@ void Foam::fsi::forPatchCombinations
 
     // On several ranks some that have every kind in every direction
     const label step = !Pstream::parRun() ? 1 : nDims == 2 ? 8 : 31;
-    for (label combination = 0; combination < nCombinations; combination += step)
+    for
+    (
+        label combination = 0;
+        combination < nCombinations;
+        combination += step
+    )
     {
         latticeOptions options;
         options.n = n;

@@ -174,7 +174,14 @@ void Foam::fsi::poissonProblem::mask
         gamma_[facei] = open ? open(high, d) : fluid[own]*fluid[nei];
     }
 
-    // A row without couplings needs a diagonal
+    // A row without couplings needs a diagonal; walls are none
+    for (fvsPatchScalarField& patch : gamma_.boundaryFieldRef())
+    {
+        if (!patch.coupled())
+        {
+            patch = 0;
+        }
+    }
     added_.primitiveFieldRef() =
         neg(fvc::surfaceSum(gamma_)().primitiveField() - SMALL);
     setSource();
@@ -195,6 +202,22 @@ void Foam::fsi::poissonProblem::addDiagonal(const scalar value)
 }
 
 
+Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::poissonProblem::equation()
+{
+    tmp<fvScalarMatrix> eqn
+    (
+        scheme(p_.mesh()).fvmLaplacian(gamma_, p_)
+      - fvm::Sp(added_, p_)
+     == source_
+    );
+    if (hasReference_)
+    {
+        eqn.ref().setReference(Pstream::master() ? 0 : -1, reference_);
+    }
+    return eqn;
+}
+
+
 Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
 (
     const string& controls
@@ -205,17 +228,7 @@ Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
     IStringStream text(controls);
     const dictionary dict(text);
 
-    fvScalarMatrix eqn
-    (
-        scheme(p_.mesh()).fvmLaplacian(gamma_, p_)
-      - fvm::Sp(added_, p_)
-     == source_
-    );
-    if (hasReference_)
-    {
-        eqn.setReference(Pstream::master() ? 0 : -1, reference_);
-    }
-    const solverPerformance performance = eqn.solve(dict);
+    const solverPerformance performance = equation()->solve(dict);
 
     poissonResult result
     {

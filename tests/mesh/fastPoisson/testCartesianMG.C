@@ -233,7 +233,8 @@ TEST(cartesianMG, refusesOtherMeshes)
         }
         catch (const Foam::error& err)
         {
-            EXPECT_NE(std::string(err.message()).find("GAMG"), std::string::npos)
+            const std::string message(err.message());
+            EXPECT_NE(message.find("GAMG"), std::string::npos)
                 << err.message();
         }
     }

@@ -91,7 +91,8 @@ scalar deflection
 
 // Bisshopp and Drucker's large deflections of a cantilever. Triangles of
 // constant strain are too stiff in bending, by a part that falls with the
-// square of the number of rows: at six rows 4 %, with the default area term 15 %
+// square of the number of rows: at six rows 4 %, with the default area term
+// 15 %
 // (locking).
 
 TEST(beam, cantileverBendsAsTheElastica)

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFluid.H"
+#include "fvcSnGrad.H"
+#include "extrapolatedCalculatedFvPatchFields.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::immersedFluid::addCoupledGradients
+(
+    const volVectorField& gradient,
+    vectorField& sum,
+    scalarField& count
+) const
+{
+    const fvMesh& mesh = gradient.mesh();
+    const boolList& fluid = geometry_.fluidCell();
+
+    // A neighbour across a coupled patch is fluid where it has a link, or
+    // where the mask says so; the mask of the face is 0 for a solid cell here
+    volScalarField mask
+    (
+        IOobject("fluidMask", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimless, Zero)
+    );
+    forAll(fluid, celli)
+    {
+        mask[celli] = fluid[celli] ? 1 : 0;
+    }
+    mask.correctBoundaryConditions();
+    forAll(mask.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pm = mask.boundaryField()[patchi];
+        if (pm.coupled())
+        {
+            const scalarField across(pm.patchNeighbourField());
+            const vectorField g
+            (
+                gradient.boundaryField()[patchi].patchNeighbourField()
+            );
+            const labelUList& cells = pm.patch().faceCells();
+            forAll(cells, i)
+            {
+                if (across[i] > 0.5 && !fluid[cells[i]])
+                {
+                    sum[cells[i]] += g[i];
+                    count[cells[i]] += 1;
+                }
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
+{
+    const fvMesh& mesh = gradient.mesh();
+    const boolList& fluid = geometry_.fluidCell();
+
+    // Sums over fluid neighbours of each solid cell that has any
+    vectorField sum(mesh.nCells(), Zero);
+    scalarField count(mesh.nCells(), Zero);
+    const auto add = [&](const label celli, const vector& g)
+    {
+        if (!fluid[celli])
+        {
+            sum[celli] += g;
+            count[celli] += 1;
+        }
+    };
+
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(own, facei)
+    {
+        if (fluid[own[facei]] != fluid[nei[facei]])
+        {
+            add(own[facei], gradient[nei[facei]]);
+            add(nei[facei], gradient[own[facei]]);
+        }
+    }
+
+    addCoupledGradients(gradient, sum, count);
+
+    forAll(count, celli)
+    {
+        if (count[celli] > 0)
+        {
+            gradient[celli] = sum[celli]/count[celli];
+        }
+        else if (!fluid[celli])
+        {
+            gradient[celli] = Zero;
+        }
+    }
+    gradient.correctBoundaryConditions();
+}
+
+
+void Foam::fsi::immersedFluid::sumFaceGradients
+(
+    const volScalarField& p,
+    vectorField& sum,
+    vectorField& weight
+) const
+{
+    const fvMesh& mesh = p.mesh();
+    const surfaceScalarField snGrad(fvc::snGrad(p));
+    const surfaceScalarField& open = geometry_.openArea();
+
+    const auto add = [&]
+    (
+        const label celli,
+        const vector& normal,
+        const scalar w,
+        const scalar sn
+    )
+    {
+        const vector axis(cmptMag(normal));
+        sum[celli] += w*sn*normal;
+        weight[celli] += w*axis;
+    };
+
+    const surfaceVectorField nf(mesh.Sf()/mesh.magSf());
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(own, facei)
+    {
+        add(own[facei], nf[facei], open[facei], snGrad[facei]);
+        add(nei[facei], nf[facei], open[facei], snGrad[facei]);
+    }
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        if (pp.coupled() || pp.fixesValue())
+        {
+            const labelUList& cells = pp.patch().faceCells();
+            forAll(cells, i)
+            {
+                add
+                (
+                    cells[i],
+                    nf.boundaryField()[patchi][i],
+                    open.boundaryField()[patchi][i],
+                    snGrad.boundaryField()[patchi][i]
+                );
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::gradient
+(
+    const volScalarField& p
+) const
+{
+    const fvMesh& mesh = p.mesh();
+
+    auto tgradient = tmp<volVectorField>::New
+    (
+        IOobject("grad(p)", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(p.dimensions()/dimLength, Zero),
+        extrapolatedCalculatedFvPatchVectorField::typeName
+    );
+    volVectorField& gradient = tgradient.ref();
+    vectorField weight(mesh.nCells(), Zero);
+    sumFaceGradients(p, gradient.primitiveFieldRef(), weight);
+
+    forAll(gradient, celli)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            gradient[celli][d] /= max(weight[celli][d], SMALL);
+        }
+    }
+    gradient.correctBoundaryConditions();
+    extendGradient(gradient);
+
+    return tgradient;
+}
+
+
+// ************************************************************************* //
