@@ -71,7 +71,12 @@ int main(int argc, char *argv[])
             }
             while (objects.coupling().again(p, U));
 
-            objects.system().fluid.storeFaceVelocity(phi);
+            objects.system().fluid.storeFaceVelocity
+            (
+                phi,
+                U,
+                objects.coupling().wallVelocity()
+            );
         }
         objects.finishStep(p, U);
 

@@ -75,8 +75,19 @@ void Foam::fsi::solidImplicit::begin
     const scalar time = p.time().value() - dt;
 
     oldPressure_ = p.primitiveField();
+    gradient_ = system_.fluid.openGradient(p);
+    system_.walls.gradientForce(gradient_(), gradientForce_);
+    gradientForce_ *= system_.fluidDensity;
+    system_.fluid.extendGradient(gradient_.ref());
+
+    vectorField nodal;
+    system_.walls.transpose(oldPressure_, nodal);
     groupNodal total;
-    pressureForce(oldPressure_, total);
+    system_.objects.toGroups
+    (
+        gradientForce_ + system_.fluidDensity*nodal,
+        total
+    );
 
     predicted_.setSize(total.size());
     forAll(total, groupi)
@@ -221,7 +232,8 @@ void Foam::fsi::solidImplicit::end
 
     vectorField nodal;
     system_.walls.transpose(p.primitiveField(), nodal);
-    hydrodynamicForce_ = linkForce_ + system_.fluidDensity*nodal;
+    hydrodynamicForce_ =
+        linkForce_ + gradientForce_ + system_.fluidDensity*nodal;
 }
 
 

@@ -12,18 +12,18 @@ Foam::fsi::immersedFluid::immersedFluid
 )
 :
     geometry_(geometry),
-    faceVelocity_
+    faceHistory_
     (
         IOobject
         (
-            "faceVelocity",
+            "faceHistory",
             geometry.grid().mesh().time().timeName(),
             geometry.grid().mesh(),
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
         ),
         geometry.grid().mesh(),
-        dimensionedScalar("none", dimVelocity, GREAT)
+        dimensionedScalar(dimVelocity, Zero)
     ),
     ddtPhiCoeff_(dict.lookupOrDefault<scalar>("ddtPhiCoeff", -1))
 {}

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
-#include "levelSetUpdate.H"
 #include "syncTools.H"
 #include "surfaceInterpolate.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::wallFaceVelocity
+Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::cutFaceVelocity
 (
     const volVectorField& U,
-    const volVectorField& gradient,
-    const scalar rAU,
-    const surfaceSet& surfaces,
     const vectorField& wallVelocity,
-    const levelSetUpdate& levelSet
+    const volVectorField* increment
 ) const
 {
     const fvMesh& mesh = U.mesh();
@@ -29,9 +25,11 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::wallFaceVelocity
         linked[link.face] = true;
         const scalar wall = link.place.interpolate(wallVelocity, link.dir);
         const scalar part = min(0.5/link.wallDistance, 1.0);
-        velocity[link.face] =
-            (1 - part)*U[link.cell][link.dir] + part*wall
-          + rAU*gradient[link.cell][link.dir];
+        velocity[link.face] = (1 - part)*U[link.cell][link.dir] + part*wall;
+        if (increment)
+        {
+            velocity[link.face] += (*increment)[link.cell][link.dir];
+        }
     }
 
     // Between two cells with their centres inside objects. Across a coupled
@@ -47,12 +45,13 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::wallFaceVelocity
             continue;
         }
         const scalar half = internal ? 1 : 0.5;
-        velocity[w.face] =
-            half
-           *(
-                w.place.interpolate(wallVelocity, w.dir)
-              + 0.5*rAU*(gradient[own][w.dir] + gradient[nei][w.dir])
-            );
+        velocity[w.face] = half*w.place.interpolate(wallVelocity, w.dir);
+        if (increment)
+        {
+            velocity[w.face] +=
+                0.5*half
+               *((*increment)[own][w.dir] + (*increment)[nei][w.dir]);
+        }
     }
 
     // The side of a coupled patch that holds the fluid cell tells the other
@@ -70,6 +69,80 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::wallFaceVelocity
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceVelocity
+(
+    const volVectorField& U,
+    const vectorField& wallVelocity,
+    const volVectorField* increment
+) const
+{
+    const fvMesh& mesh = U.mesh();
+    const scalarField cut(cutFaceVelocity(U, wallVelocity, increment));
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+
+    // Patches that fix the velocity keep it
+    volVectorField sum("HbyA", U);
+    if (increment)
+    {
+        sum.primitiveFieldRef() += increment->primitiveField();
+        sum.correctBoundaryConditions();
+    }
+    auto tvelocity = tmp<surfaceScalarField>::New
+    (
+        "faceVelocity",
+        fvc::interpolate(sum) & mesh.Sf()/mesh.magSf()
+    );
+    surfaceScalarField& velocity = tvelocity.ref();
+
+    const auto set = [&](const label facei, scalar& value)
+    {
+        const direction dir = geometry_.grid().faceDirection(facei);
+        value = mesh.faceAreas()[facei][dir] > 0 ? cut[facei] : -cut[facei];
+    };
+    forAll(mesh.owner(), facei)
+    {
+        if (fluidFace[facei] < 0.5)
+        {
+            set(facei, velocity[facei]);
+        }
+    }
+    forAll(velocity.boundaryField(), patchi)
+    {
+        // On a patch of the domain the velocity is the patch's own
+        fvsPatchScalarField& pv = velocity.boundaryFieldRef()[patchi];
+        if (pv.coupled())
+        {
+            forAll(pv, i)
+            {
+                if (fluidFace.boundaryField()[patchi][i] < 0.5)
+                {
+                    set(pv.patch().start() + i, pv[i]);
+                }
+            }
+        }
+    }
+
+    return tvelocity;
+}
+
+
+Foam::scalar Foam::fsi::immersedFluid::history
+(
+    const scalar velocity,
+    const scalar interpolated
+) const
+{
+    const scalar difference = velocity - interpolated;
+    return
+        difference
+       *(
+            ddtPhiCoeff_ < 0
+          ? 1 - min(mag(difference)/(mag(velocity) + VSMALL), 1.0)
+          : ddtPhiCoeff_
+        );
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
@@ -77,200 +150,72 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
     const volVectorField& U,
     const volVectorField& gradient,
     const scalar rAU,
-    const surfaceSet& surfaces,
-    const vectorField& wallVelocity,
-    const levelSetUpdate& levelSet
+    const vectorField& wallVelocity
 ) const
 {
-    const fvMesh& mesh = U.mesh();
+    volVectorField increment("increment", gradient);
+    increment.primitiveFieldRef() *= rAU;
 
-    tmp<surfaceScalarField> tphi(interpolatedFlux(U, gradient, rAU));
-    surfaceScalarField& phi = tphi.ref();
-
-    const scalarField wall
-    (
-        wallFaceVelocity
-        (
-            U,
-            gradient,
-            rAU,
-            surfaces,
-            wallVelocity,
-            levelSet
-        )
-    );
-
-    const auto cut = [&]
-    (
-        const label facei,
-        const scalar bothFluid,
-        scalar& flux
-    )
-    {
-        const scalar open = geometry_.openness()[facei];
-        if (bothFluid < 0.5)
-        {
-            const direction dir = geometry_.grid().faceDirection(facei);
-            flux = wall[facei]*mesh.faceAreas()[facei][dir];
-        }
-        flux *= open;
-    };
-
-    const surfaceScalarField& fluidFace = geometry_.fluidFace();
-    forAll(mesh.owner(), facei)
-    {
-        cut(facei, fluidFace[facei], phi[facei]);
-    }
-    forAll(phi.boundaryField(), patchi)
-    {
-        fvsPatchScalarField& pphi = phi.boundaryFieldRef()[patchi];
-        const label start = pphi.patch().start();
-        forAll(pphi, i)
-        {
-            // On a patch of the domain the velocity is the patch's own
-            const scalar bothFluid =
-                pphi.coupled() ? fluidFace.boundaryField()[patchi][i] : 1;
-            cut(start + i, bothFluid, pphi[i]);
-        }
-    }
-
-    return tphi;
-}
-
-
-Foam::tmp<Foam::surfaceScalarField>
-Foam::fsi::immersedFluid::interpolatedFlux
-(
-    const volVectorField& U,
-    const volVectorField& gradient,
-    const scalar rAU
-) const
-{
-    // Patches that fix the velocity keep it
-    volVectorField HbyA("HbyA", U);
-    HbyA.primitiveFieldRef() += rAU*gradient.primitiveField();
-    HbyA.correctBoundaryConditions();
-
-    auto tphi = tmp<surfaceScalarField>::New
+    return tmp<surfaceScalarField>::New
     (
         "phiHbyA",
-        fvc::interpolate(HbyA) & U.mesh().Sf()
+        (faceVelocity(U, wallVelocity, &increment) + faceHistory_)
+       *U.mesh().magSf()*geometry_.openArea()
     );
-    addHistory(U.oldTime(), tphi.ref());
-    return tphi;
 }
 
 
-void Foam::fsi::immersedFluid::addHistory
+void Foam::fsi::immersedFluid::storeFaceVelocity
 (
-    const volVectorField& U0,
-    surfaceScalarField& phi
-) const
+    const surfaceScalarField& phi,
+    const volVectorField& U,
+    const vectorField& wallVelocity
+)
 {
-    const fvMesh& mesh = phi.mesh();
-    const surfaceScalarField interpolated(fvc::interpolate(U0) & mesh.Sf());
-    const surfaceScalarField& fluidFace = geometry_.fluidFace();
-
-    const auto add = [&]
+    const surfaceScalarField interpolated
     (
-        const scalar bothFluid,
-        const scalar faceVelocity,
-        const vector& area,
-        const scalar fluxU0,
-        scalar& flux
-    )
-    {
-        if (bothFluid < 0.5 || faceVelocity > 0.5*GREAT)
-        {
-            return;
-        }
-        const scalar flux0 = faceVelocity*(area.x() + area.y() + area.z());
-        const scalar difference = flux0 - fluxU0;
-        const scalar coeff =
-            ddtPhiCoeff_ < 0
-          ? 1 - min(mag(difference)/(mag(flux0) + VSMALL), 1.0)
-          : ddtPhiCoeff_;
-        flux += coeff*difference;
-    };
-
-    forAll(mesh.owner(), facei)
-    {
-        add
-        (
-            fluidFace[facei],
-            faceVelocity_[facei],
-            mesh.Sf()[facei],
-            interpolated[facei],
-            phi[facei]
-        );
-    }
-    forAll(phi.boundaryField(), patchi)
-    {
-        fvsPatchScalarField& pphi = phi.boundaryFieldRef()[patchi];
-        if (pphi.coupled())
-        {
-            forAll(pphi, i)
-            {
-                add
-                (
-                    fluidFace.boundaryField()[patchi][i],
-                    faceVelocity_.boundaryField()[patchi][i],
-                    mesh.Sf().boundaryField()[patchi][i],
-                    interpolated.boundaryField()[patchi][i],
-                    pphi[i]
-                );
-            }
-        }
-    }
-}
-
-
-void Foam::fsi::immersedFluid::storeFaceVelocity(const surfaceScalarField& phi)
-{
-    const fvMesh& mesh = phi.mesh();
-    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+        faceVelocity(U, wallVelocity, nullptr)
+    );
     const surfaceScalarField& open = geometry_.openArea();
-
-    // Faces are normal to an axis: the sum is the component along it
-    const auto velocity = []
-    (
-        const scalar bothFluid,
-        const scalar open,
-        const vector& area,
-        const scalar flux
-    )
+    const surfaceScalarField& area = U.mesh().magSf();
+    boolList cutCell(U.size(), false);
+    forAll(cutCell, celli)
     {
-        return
-            bothFluid > 0.5 && open > 0
-          ? flux/(open*(area.x() + area.y() + area.z()))
-          : GREAT;
-    };
-
-    forAll(mesh.owner(), facei)
-    {
-        faceVelocity_[facei] = velocity
-        (
-            fluidFace[facei],
-            open[facei],
-            mesh.Sf()[facei],
-            phi[facei]
-        );
+        cutCell[celli] = !geometry_.fluidCell()[celli];
     }
-    forAll(phi.boundaryField(), patchi)
+    for (const wallLink& link : geometry_.wallLinks())
     {
-        const fvsPatchScalarField& pphi = phi.boundaryField()[patchi];
-        if (pphi.coupled())
+        cutCell[link.cell] = true;
+    }
+    const labelUList& own = U.mesh().owner();
+    const labelUList& nei = U.mesh().neighbour();
+
+    forAll(open, facei)
+    {
+        faceHistory_[facei] =
+            open[facei] > 0 && !cutCell[own[facei]] && !cutCell[nei[facei]]
+          ? history
+            (
+                phi[facei]/(open[facei]*area[facei]),
+                interpolated[facei]
+            )
+          : 0;
+    }
+    forAll(open.boundaryField(), patchi)
+    {
+        const fvsPatchScalarField& po = open.boundaryField()[patchi];
+        fvsPatchScalarField& ph = faceHistory_.boundaryFieldRef()[patchi];
+        forAll(po, i)
         {
-            forAll(pphi, i)
-            {
-                faceVelocity_.boundaryFieldRef()[patchi][i] = velocity
+            ph[i] =
+                po.coupled() && po[i] > 0
+              ? history
                 (
-                    fluidFace.boundaryField()[patchi][i],
-                    open.boundaryField()[patchi][i],
-                    mesh.Sf().boundaryField()[patchi][i],
-                    pphi[i]
-                );
-            }
+                    phi.boundaryField()[patchi][i]
+                   /(po[i]*area.boundaryField()[patchi][i]),
+                    interpolated.boundaryField()[patchi][i]
+                )
+              : 0;
         }
     }
 }

@@ -153,7 +153,7 @@ void Foam::fsi::immersedFluid::sumFaceGradients
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::gradient
+Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
 (
     const volScalarField& p
 ) const
@@ -179,8 +179,18 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::gradient
         }
     }
     gradient.correctBoundaryConditions();
-    extendGradient(gradient);
 
+    return tgradient;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::gradient
+(
+    const volScalarField& p
+) const
+{
+    tmp<volVectorField> tgradient(openGradient(p));
+    extendGradient(tgradient.ref());
     return tgradient;
 }
 

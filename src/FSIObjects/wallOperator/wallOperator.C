@@ -160,4 +160,49 @@ void Foam::fsi::wallOperator::transpose
 }
 
 
+void Foam::fsi::wallOperator::gradientForce
+(
+    const vectorField& g,
+    vectorField& f
+) const
+{
+    const UList<wallFace>& faces = geometry_.wallFaces();
+    const boolList& fluid = geometry_.fluidCell();
+    const scalar h = geometry_.grid().spacing();
+
+    // Closed area around each cell with its centre inside an object
+    scalarField closed(fluid.size(), Zero);
+    for (const wallFace& w : faces)
+    {
+        for (const label celli : {w.lower, w.upper})
+        {
+            if (celli >= 0 && !fluid[celli])
+            {
+                closed[celli] += w.area;
+            }
+        }
+    }
+
+    f.setSize(nNodes_);
+    f = Zero;
+    const scalarField& V = geometry_.grid().mesh().V();
+    for (const wallFace& w : faces)
+    {
+        for (const label celli : {w.lower, w.upper})
+        {
+            if (celli < 0)
+            {
+                continue;
+            }
+            w.place.spread(f, w.dir, 0.5*h*w.area*g[celli][w.dir]);
+            if (!fluid[celli])
+            {
+                w.place.spread(f, -w.area/closed[celli]*V[celli]*g[celli]);
+            }
+        }
+    }
+    sumOverRanks(f);
+}
+
+
 // ************************************************************************* //
