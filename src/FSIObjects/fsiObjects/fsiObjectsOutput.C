@@ -44,12 +44,36 @@ void Foam::fsi::fsiObjects::report()
 }
 
 
+void Foam::fsi::fsiObjects::writeRows()
+{
+    List<objectRecord> records(objectRecord::sample(system_.objects));
+    const labelList& pointObject = system_.objects.surfaces().pointObject();
+    forAll(pointObject, nodei)
+    {
+        records[pointObject[nodei]].force +=
+            coupling_->hydrodynamicForce()[nodei];
+    }
+    const contactStatistics& contacts = system_.contacts->statistics();
+    forAll(contacts.objectContacts, objecti)
+    {
+        records[objecti].contacts = contacts.objectContacts[objecti];
+        records[objecti].smallestGap = contacts.objectGaps[objecti];
+    }
+    writer_.writeRows(mesh_.time().value(), records);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::fsiObjects::write()
 {
     report();
-    if (!mesh_.time().outputTime())
+    const bool output = mesh_.time().outputTime();
+    if (output || writer_.objectsWanted())
+    {
+        writeRows();
+    }
+    if (!output)
     {
         return;
     }
@@ -65,20 +89,7 @@ void Foam::fsi::fsiObjects::write()
     signedDistance_.correctBoundaryConditions();
     objectLabel_.correctBoundaryConditions();
 
-    List<objectRecord> records(objectRecord::sample(objects));
-    const labelList& pointObject = objects.surfaces().pointObject();
-    forAll(pointObject, nodei)
-    {
-        records[pointObject[nodei]].force +=
-            coupling_->hydrodynamicForce()[nodei];
-    }
-    const contactStatistics& contacts = system_.contacts->statistics();
-    forAll(contacts.objectContacts, objecti)
-    {
-        records[objecti].contacts = contacts.objectContacts[objecti];
-        records[objecti].smallestGap = contacts.objectGaps[objecti];
-    }
-    writer_.writeObjects(mesh_.time().value(), objects, records);
+    writer_.writeShapes(mesh_.time().value(), objects);
     objects.write();
 }
 

@@ -43,6 +43,12 @@ void Foam::fsi::wallForceLoad::calculate
     vectorField pressureForce;
     system_.walls.transpose(p.primitiveField(), pressureForce);
     force += system_.fluidDensity*pressureForce;
+    system_.walls.gradientForce
+    (
+        system_.fluid.openGradient(p)(),
+        pressureForce
+    );
+    force += system_.fluidDensity*pressureForce;
 }
 
 

@@ -11,9 +11,14 @@
 Foam::fsi::objectWriter::objectWriter(const Time& time, const dictionary& dict)
 :
     globalEvery_(dict.lookupOrDefault<label>("globalEvery", 1)),
+    objectsEvery_(dict.lookupOrDefault<label>("objectsEvery", 0)),
     nSteps_(0)
 {
-    checkKeys(dict, {"surfaces", "springs", "binary", "globalEvery"});
+    checkKeys
+    (
+        dict,
+        {"surfaces", "springs", "binary", "globalEvery", "objectsEvery"}
+    );
     if (globalEvery_ < 1)
     {
         FatalIOErrorInFunction(dict)
@@ -62,10 +67,9 @@ void Foam::fsi::objectWriter::writeStep(const stepRecord& record)
 }
 
 
-void Foam::fsi::objectWriter::writeObjects
+void Foam::fsi::objectWriter::writeRows
 (
     const scalar time,
-    const population& objects,
     const List<objectRecord>& records
 )
 {
@@ -76,6 +80,15 @@ void Foam::fsi::objectWriter::writeObjects
             record.write(objectTable_(), time);
         }
     }
+}
+
+
+void Foam::fsi::objectWriter::writeShapes
+(
+    const scalar time,
+    const population& objects
+)
+{
     if (surfaceSeries_.valid())
     {
         surfaceSeries_().write(surfacePolyData(objects), time);

@@ -3,7 +3,8 @@
 """A disc in a lid-driven cavity, 50 steps with the default coupling, for many
 densities, stiffnesses and time steps.
 
-    sweep.py FOLDER
+    sweep.py FOLDER          the checks of the default coupling
+    sweep.py FOLDER table    a table of all couplings, 200 steps each
 
 Units: side and lid speed 1, fluid density 1. The time step is that of the
 Courant number, the viscosity that of D = dt nu/h^2. Bounds: the lid is the
@@ -20,6 +21,7 @@ import results
 
 CELLS = 32
 STEPS = 50
+TABLE_STEPS = 200
 RADIUS = 0.15
 LID_SPEED = 1
 RATIOS = (0.5, 1, 1.1, 2, 10)
@@ -37,7 +39,20 @@ RUNS = ([(*r, 1) for r in itertools.product(RATIOS, STIFFNESS, DIFFUSION)]
 UNSTABLE = (0.5, 1e6, 1, 1)
 
 
-def solve(folder, ratio, stiffness, diffusion, courant, coupling=""):
+# Couplings of the table: entries of fsiProperties
+COUPLINGS = {
+    "`solidImplicit`, open areas": "",
+    "`solidImplicit`, voxel wall": "wall voxel;",
+    "`weak`, `wallForce`, open areas": "coupling { type weak; }",
+    "`weak`, `nearestCell`, voxel wall":
+        "wall voxel; coupling { type weak; load nearestCell; }",
+    "`weak`, `wallForce`, at most 20 Aitken sub-iterations":
+        "coupling { type weak; subIterations 20; }",
+}
+
+
+def solve(folder, ratio, stiffness, diffusion, courant, coupling="",
+          steps=STEPS):
     """Runs one case; the rows of global.csv and the CPU time."""
     h = 1/CELLS
     dt = courant*h/LID_SPEED
@@ -50,7 +65,7 @@ def solve(folder, ratio, stiffness, diffusion, courant, coupling=""):
                f" {{ density {ratio}; E {stiffness}; }} }}",
         placements="one { type listed; shape disc; objects ("
                    "{ centre (0.5 0.7 0); }); }",
-        deltaT=dt, endTime=STEPS*dt, writeInterval=STEPS, timePrecision=12,
+        deltaT=dt, endTime=steps*dt, writeInterval=steps, timePrecision=12,
     ).set_up()
     case.run("fsiPisoFoam", limit=600)
     # The disc's thickness is the mesh's
@@ -64,11 +79,37 @@ def speed(row, mass):
     return (2*row["kineticEnergy"]/mass)**0.5
 
 
-def bounded(rows, mass):
+def bounded(rows, mass, steps=STEPS):
     """True if all steps are within the bounds; nan is not."""
-    return (len(rows) == STEPS
+    return (len(rows) == steps
             and all(speed(r, mass) <= LID_SPEED for r in rows)
             and all(r["areaChange"] <= AREA_CHANGE for r in rows))
+
+
+def stable(folder, run, coupling, steps):
+    """True if a run ends and stays within the bounds."""
+    try:
+        rows, mass, _ = solve(folder, *run, coupling, steps)
+    except RuntimeError:
+        return False
+    return bounded(rows, mass, steps)
+
+
+def table(folder):
+    """Prints which density ratios are stable, for each coupling."""
+    cases = list(itertools.product((1, 0.1), STIFFNESS, DIFFUSION))
+    print("| coupling | " + " | ".join(
+        f"E {e:g}, D {d:g}, Co {c:g}" for c, e, d in cases) + " |")
+    print("|---" * (1 + len(cases)) + "|")
+    for name, coupling in COUPLINGS.items():
+        cells = []
+        for courant, stiffness, diffusion in cases:
+            good = [r for r in RATIOS
+                    if stable(folder, (r, stiffness, diffusion, courant),
+                              coupling, TABLE_STEPS)]
+            cells.append("all" if len(good) == len(RATIOS) else
+                         ", ".join(f"{r:g}" for r in good) or "none")
+        print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 
 
 def main(folder):
@@ -97,14 +138,11 @@ def main(folder):
         )
     print(f"    CPU time {total:.0f} s")
 
-    try:
-        rows, mass, _ = solve(folder, *UNSTABLE, "coupling { type weak; }\n")
-        stable = bounded(rows, mass)
-    except RuntimeError:
-        stable = False
-    report.check("weak coupling is seen to be unstable", not stable,
+    report.check("weak coupling is seen to be unstable",
+                 not stable(folder, UNSTABLE, "coupling { type weak; }",
+                            STEPS),
                  "it stays within the bounds")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    (table if sys.argv[2:] == ["table"] else main)(sys.argv[1])

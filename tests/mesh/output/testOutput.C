@@ -192,8 +192,10 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
             writer.writeStep(record);
         }
         const List<objectRecord> records(objectRecord::sample(*objects));
-        writer.writeObjects(0.25, *objects, records);
-        writer.writeObjects(0.75, *objects, records);
+        writer.writeRows(0.25, records);
+    writer.writeShapes(0.25, *objects);
+        writer.writeRows(0.75, records);
+    writer.writeShapes(0.75, *objects);
     }
     if (!Pstream::master())
     {

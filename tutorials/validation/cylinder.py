@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fixed disc in a channel (Schaefer and Turek 1996)."""
+
+from common import Case, Field, Row, disc, placed
+
+HEIGHT = 0.41
+LENGTH = 2.2
+
+
+def channel(name, cells, peak, coarse=None, **controls):
+    """The channel with D/h = cells and the inflow's peak velocity."""
+    ny = round(HEIGHT/0.1*cells)
+    h = HEIGHT/ny
+    nx = round(LENGTH/(0.41/41))*cells//10
+    profile = " ".join(
+        f"({4*peak*y*(HEIGHT - y)/HEIGHT**2:.10g} 0 0)"
+        for y in ((j + 0.5)*h for j in range(ny))
+    )
+    case = Case(
+        name, box=(0, 0, nx*h, HEIGHT), cells=(nx, ny), viscosity=1e-3,
+        velocity={"left": "type fixedValue; value nonuniform "
+                          f"List<vector> {ny} ({profile});",
+                  "right": "type zeroGradient;"},
+        pressure={"right": "type fixedValue; value uniform 0;"},
+        shapes=disc(0.05, "density 1; E 1e3;", "motion { type fixed; }"),
+        placements=placed("disc", (0.2, 0.2)), **controls)
+    return case.start_from(coarse) if coarse else case
+
+
+def pressure_difference(case):
+    """Between the front and the back of the disc, from the fluid's cells."""
+    p = Field(case, "p")
+    h = case.spacing()
+
+    def surface(x, side):
+        a, b = (p.at(x + side*s*h, 0.2) for s in (1, 2))
+        return 2*a - b
+
+    return surface(0.15, -1) - surface(0.25, 1)
+
+
+def scales(case, mean):
+    """Factor from force to coefficient; the mesh is one cell thick."""
+    return 2/(mean**2*0.1*case.spacing())
+
+
+def steady():
+    """DFG 2D-1, Re 20."""
+    for wall in ("openArea", "voxel"):
+        case = None
+        for cells in (10, 20, 40):
+            case = channel(
+                f"cylinder20-{wall}-{cells}", cells, 0.3, case,
+                properties=f"wall {wall};", deltaT=0.1/cells,
+                endTime=2 if case else 10, writeInterval=2)
+            minutes = case.solve()
+            last = case.objects()[-1]
+            scale = scales(case, 0.2)
+            name, grid = f"DFG 2D-1, {wall}", f"D/h = {cells}"
+            checked = wall == "openArea" and cells >= 20
+            for what, reference, value, tolerance in (
+                    ("drag", 5.57953523384, scale*last["forceX"], 0.0558),
+                    ("lift", 0.010618948146, scale*last["forceY"], 0.002),
+                    ("pressure difference", 0.11752016697,
+                     pressure_difference(case), 0.00235)):
+                yield Row(f"{name}, {what}", grid, reference, value,
+                          tolerance if checked else None, minutes,
+                          (f"{name}, {what}", cells))
+
+
+def peaks(times, values):
+    """Times and values of the maxima of a series, from parabolas."""
+    found = []
+    for i in range(1, len(values) - 1):
+        a, b, c = values[i - 1:i + 2]
+        if a < b >= c:
+            s = 0.5*(a - c)/(a - 2*b + c)
+            found.append((times[i] + s*(times[i + 1] - times[i]),
+                          b - 0.25*(a - c)*s))
+    return found
+
+
+def shedding():
+    """DFG 2D-2, Re 100."""
+    case = None
+    for cells in (10, 20, 40):
+        case = channel(
+            f"cylinder100-{cells}", cells, 1.5, case,
+            properties="output { objectsEvery 1; }", deltaT=0.02/cells,
+            endTime=2.5 if case else 8, writeInterval=0.5)
+        minutes = case.solve()
+        rows = case.objects()
+        scale = scales(case, 1)
+        times = [row["time"] for row in rows]
+        lift = peaks(times, [scale*row["forceY"] for row in rows])[-4:]
+        last = [row for row in rows if row["time"] >= lift[0][0]]
+        strouhal = 0.1*(len(lift) - 1)/(lift[-1][0] - lift[0][0])
+        checked = cells == 40
+        for what, reference, value, tolerance in (
+                ("largest drag", 3.23,
+                 max(scale*row["forceX"] for row in last), 0.03*3.23),
+                ("largest lift", 0.986571, max(v for _, v in lift), 0.049),
+                ("Strouhal number", 0.3, strouhal, 0.01)):
+            yield Row(f"DFG 2D-2, {what}", f"D/h = {cells}", reference, value,
+                      tolerance if checked else None, minutes,
+                      (f"DFG 2D-2, {what}", cells))
+
+
+CASES = {"cylinder20": steady, "cylinder100": shedding}
