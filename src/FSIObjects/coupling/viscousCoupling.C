@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viscousCoupling.H"
+#include "solverPerformance.H"
 #include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -65,7 +66,7 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
 Foam::fsi::viscousCoupling::viscousCoupling(const fsiSystem& system)
 :
     system_(system),
-    UEqn_(nullptr)
+    matrix_(system.grid)
 {}
 
 
@@ -117,47 +118,78 @@ void Foam::fsi::viscousCoupling::updateResponses
 }
 
 
-void Foam::fsi::viscousCoupling::nodeVelocity
-(
-    const components& u,
-    const bool withSource,
-    fsiSystem::groupNodal& v
-) const
+void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
 {
     const scalar viscosity = system_.fluidDensity*system_.viscosity;
+    const direction nDims = system_.grid.nDims();
 
     nodal_.setSize(system_.objects.surfaces().points().size());
     nodal_ = Zero;
     for (const wallLink& link : system_.geometry.wallLinks())
     {
         vector value(Zero);
-        forAll(u, d)
+        for (direction d = 0; d < nDims; ++d)
         {
-            value[d] = viscosity*link.conductance*u[d][link.cell];
+            value[d] =
+                viscosity*link.conductance*matrix_.value(link.cell, d);
         }
         link.place.spread(nodal_, value);
     }
     sumOverRanks(nodal_);
 
-    system_.objects.toGroups(nodal_, groupForce_);
+    system_.toBoundary(nodal_, groupForce_);
     forAll(v, groupi)
     {
         if (responses_[groupi])
         {
-            responses_[groupi]->solve
-            (
-                groupForce_[groupi],
-                v[groupi],
-                withSource
-            );
+            responses_[groupi]->solve(groupForce_[groupi], v[groupi]);
         }
-        else if (!withSource)
+    }
+}
+
+
+void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
+{
+    const direction nDims = system_.grid.nDims();
+    const UList<wallLink>& links = system_.geometry.wallLinks();
+
+    // A cell may have several links
+    system_.fromBoundary(v, nodalVelocity_);
+    forAll(links, i)
+    {
+        for (direction d = 0; d < nDims; ++d)
         {
-            v[groupi].setZero
-            (
-                groupForce_[groupi].rows(),
-                groupForce_[groupi].cols()
-            );
+            matrix_.source(links[i].cell, d) = linkSource_[i][d];
+        }
+    }
+    for (const wallLink& link : links)
+    {
+        const vector wall(link.place.interpolate(nodalVelocity_));
+        for (direction d = 0; d < nDims; ++d)
+        {
+            matrix_.source(link.cell, d) +=
+                system_.viscosity*link.conductance*wall[d];
+        }
+    }
+}
+
+
+void Foam::fsi::viscousCoupling::setMatrix(const fvVectorMatrix& UEqn)
+{
+    const UList<wallLink>& links = system_.geometry.wallLinks();
+    matrix_.set(UEqn);
+    linkSource_.setSize(links.size());
+    forAll(links, i)
+    {
+        const label celli = links[i].cell;
+        matrix_.addToDiagonal
+        (
+            celli,
+            system_.viscosity*links[i].conductance
+        );
+        for (direction d = 0; d < system_.grid.nDims(); ++d)
+        {
+            linkSource_[i][d] = matrix_.source(celli, d);
         }
     }
 }
@@ -174,59 +206,65 @@ void Foam::fsi::viscousCoupling::solve
     vectorField& force
 )
 {
-    UEqn_ = &UEqn;
+    const dictionary& controls = U.mesh().solverDict(U.name());
+    const label maxIter = controls.lookupOrDefault<label>("maxIter", 1000);
+    solverPerformance result("fsiSOR", U.name());
+
     updateResponses(predicted);
-
-    components source;
-    setMatrix(source);
-    components u(source.size());
-    forAll(u, d)
+    setMatrix(UEqn);
+    fsiSystem::groupNodal boundary(predicted.size());
+    forAll(predicted, groupi)
     {
-        u[d] = U.primitiveField().component(d);
+        boundary[groupi] = predicted[groupi].topRows
+        (
+            system_.objects.shape(groupi).nBoundaryNodes()
+        );
     }
-
-    // Velocity of the nodes without the fluid moves the walls
-    velocity = predicted;
-    components still(u.size(), scalarField(U.size(), Zero));
-    nodeVelocity(still, true, velocity);
-    system_.objects.toSurface(velocity, nodalVelocity_);
-    for (const wallLink& link : system_.geometry.wallLinks())
+    nodeVelocity(boundary);
+    moveWalls(boundary);
+    const scalar norm = matrix_.sourceNorm() + VSMALL;
+    do
     {
-        const vector wall(link.place.interpolate(nodalVelocity_));
-        forAll(source, d)
+        result.finalResidual() = matrix_.sweep()/norm;
+        if (result.nIterations() == 0)
         {
-            source[d][link.cell] +=
-                system_.viscosity*link.conductance*wall[d];
+            result.initialResidual() = result.finalResidual();
         }
-    }
-
-    scalar initialResidual = 0;
-    scalar finalResidual = 0;
-    const label nIterations = iterate
+        nodeVelocity(boundary);
+        moveWalls(boundary);
+    } while
     (
-        u,
-        source,
-        U.mesh().solverDict(U.name()),
-        initialResidual,
-        finalResidual
+        ++result.nIterations() < maxIter
+     && !result.checkConvergence
+        (
+            controls.lookupOrDefault<scalar>("tolerance", 1e-7),
+            controls.lookupOrDefault<scalar>("relTol", 0)
+        )
     );
-    Info<< "fsiBiCGStab:  Solving for " << U.name() << ", Initial residual = "
-        << initialResidual << ", Final residual = " << finalResidual
-        << ", No Iterations " << nIterations << endl;
+    result.print(Info.masterStream(U.mesh().comm()));
 
-    forAll(u, d)
-    {
-        U.primitiveFieldRef().replace(d, u[d]);
-    }
+    matrix_.get(U.primitiveFieldRef());
     U.correctBoundaryConditions();
-
-    nodeVelocity(u, true, velocity);
-    system_.objects.toSurface(velocity, nodalVelocity_);
     force.setSize(nodalVelocity_.size());
     force = Zero;
     addLinkForce(system_, U, nodalVelocity_, force);
     sumOverRanks(force);
-    UEqn_ = nullptr;
+
+    velocity = predicted;
+    system_.objects.toGroups(force, groupForce_);
+    forAll(velocity, groupi)
+    {
+        if (responses_[groupi])
+        {
+            Eigen::MatrixXd change;
+            system_.objects.groups()[groupi].respond
+            (
+                groupForce_[groupi],
+                change
+            );
+            velocity[groupi] += change;
+        }
+    }
 }
 
 

@@ -13,97 +13,146 @@ Foam::fsi::viscousResponse::viscousResponse(const bodyGroup& group)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::viscousResponse::dot
+Eigen::Vector2d Foam::fsi::viscousResponse::project
 (
-    const Eigen::MatrixXd& a,
-    const Eigen::MatrixXd& b,
+    const Eigen::MatrixXd& x,
     const label copyi
 ) const
 {
     const label nDims = group_.shape().nDims();
-    return a.middleCols(nDims*copyi, nDims).cwiseProduct
-    (
-        b.middleCols(nDims*copyi, nDims)
-    ).sum();
+    const auto columns = x.middleCols(nDims*copyi, nDims);
+    Eigen::Vector2d amount;
+    for (label mode = 0; mode < 2; ++mode)
+    {
+        amount[mode] = turned_[mode].middleCols(nDims*copyi, nDims)
+           .cwiseProduct(columns).sum();
+    }
+    return amount;
 }
 
 
 void Foam::fsi::viscousResponse::makeModes()
 {
-    const label nDims = group_.shape().nDims();
-    const Eigen::MatrixXd& r = group_.response().rotationModes();
-    const scalarField& masses = group_.shape().nodeMasses();
-    const Eigen::Map<const Eigen::VectorXd> mass
-    (
-        masses.cdata(),
-        masses.size()
-    );
-
-    massMode_ = mass.asDiagonal()*r;
-    stiffMode_ = group_.shape().factor(deltaT_).matrix()*r;
-    modeStiffness_.resize(r.cols()/nDims);
-    for (label copyi = 0; copyi < modeStiffness_.size(); ++copyi)
+    const bodyResponse& response = group_.response();
+    const label nB = group_.shape().nBoundaryNodes();
+    const Eigen::MatrixXd modes[2] =
     {
-        modeStiffness_[copyi] = dot(r, stiffMode_, copyi);
+        response.rotationModes().topRows(nB),
+        response.elasticRotation().topRows(nB)
+    };
+    for (label mode = 0; mode < 2; ++mode)
+    {
+        turned_[mode] = boundary().matrix()*modes[mode];
+    }
+
+    reduced_.resize(group_.size());
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        Eigen::Matrix2d E;
+        E.col(0) = project(modes[0], copyi);
+        E.col(1) = project(modes[1], copyi);
+        E(0, 0) += 1;
+        E(1, 1) -= 1;
+        reduced_[copyi] = E.inverse();
     }
 }
 
 
-void Foam::fsi::viscousResponse::factorCopy
+void Foam::fsi::viscousResponse::factorBlock
 (
-    const label copyi,
-    const std::vector<copyLink>& links
+    const label blocki,
+    const std::vector<std::vector<copyLink>>& links
 )
 {
-    const label nDims = group_.shape().nDims();
-    const sparseMatrix& A = group_.shape().factor(deltaT_).matrix();
-
-    // A/dt + W: the nodes of a surface face are joined by springs, so that W
-    // has the pattern of A
-    sparseMatrix B(A/deltaT_);
-    for (const copyLink& link : links)
+    laneCholesky& block = factors_[blocki];
+    block.reset(boundary(), 1/deltaT_);
+    const label first = blocki*laneCholesky::lanes;
+    const label last = min(first + laneCholesky::lanes, group_.size());
+    for (label copyi = first; copyi < last; ++copyi)
     {
-        for (label i = 0; i < 3 && link.nodes[i] >= 0; ++i)
+        for (const copyLink& link : links[copyi])
         {
-            for (label j = 0; j < 3 && link.nodes[j] >= 0; ++j)
+            for (label i = 0; i < 3 && link.nodes[i] >= 0; ++i)
             {
-                B.coeffRef(link.nodes[i], link.nodes[j]) +=
-                    link.coefficient*link.weights[i]*link.weights[j];
+                for (label j = 0; j <= i; ++j)
+                {
+                    block.add
+                    (
+                        int(copyi - first),
+                        link.nodes[i],
+                        link.nodes[j],
+                        link.coefficient*link.weights[i]*link.weights[j]
+                    );
+                }
             }
         }
     }
-
-    if (!factors_[copyi])
-    {
-        factors_[copyi] = std::make_unique<cholesky>();
-        factors_[copyi]->analyzePattern(B);
-    }
-    factors_[copyi]->factorize(B);
-    if (factors_[copyi]->info() != Eigen::Success)
+    if (!block.factor())
     {
         FatalErrorInFunction
-            << "The matrix of the viscous links of copy " << copyi
-            << " of shape " << group_.shape().name()
-            << " is not positive definite"
-            << exit(FatalError);
+            << "The matrix of the viscous links of a copy of shape "
+            << group_.shape().name() << ", " << first << " to " << last - 1
+            << ", is not positive definite" << exit(FatalError);
     }
+}
 
-    const auto m = massMode_.middleCols(nDims*copyi, nDims);
-    const auto s = stiffMode_.middleCols(nDims*copyi, nDims);
-    auto zm = solvedMassMode_.middleCols(nDims*copyi, nDims);
-    auto zs = solvedStiffMode_.middleCols(nDims*copyi, nDims);
-    zm = factors_[copyi]->solve(m);
-    zs = factors_[copyi]->solve(s);
 
-    // K - A = U S U^T, U = [m s], S = [a+1, -1; -1, 0], a = r^T A r, so that
-    // S^-1 = -[0, 1; 1, a+1]
-    Eigen::Matrix2d W;
-    W << dot(massMode_, solvedMassMode_, copyi),
-         dot(massMode_, solvedStiffMode_, copyi) - deltaT_,
-         dot(stiffMode_, solvedMassMode_, copyi) - deltaT_,
-         dot(stiffMode_, solvedStiffMode_, copyi)
-       - deltaT_*(modeStiffness_[copyi] + 1);
-    woodbury_[copyi] = W.inverse();
+void Foam::fsi::viscousResponse::solveBlocks
+(
+    const Eigen::MatrixXd& b,
+    Eigen::MatrixXd& x
+) const
+{
+    constexpr label lanes = laneCholesky::lanes;
+    const label nDims = group_.shape().nDims();
+    const labelList& rowOf = boundary().rowOf();
+    const label n = b.rows();
+
+    x.resize(n, b.cols());
+    rows_.setSize(lanes*nDims*n);
+    for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
+    {
+        const label first = nDims*lanes*blocki;
+        const label nColumns = min(nDims*lanes, label(b.cols()) - first);
+        if (nColumns < nDims*lanes)
+        {
+            rows_ = 0;
+        }
+        for (label k = 0; k < nColumns; ++k)
+        {
+            const double* from = b.col(first + k).data();
+            const label place = lanes*(k % nDims) + k/nDims;
+            for (label i = 0; i < n; ++i)
+            {
+                rows_[lanes*nDims*rowOf[i] + place] = from[i];
+            }
+        }
+        factors_[blocki].solve(rows_.data(), nDims);
+        for (label k = 0; k < nColumns; ++k)
+        {
+            double* to = x.col(first + k).data();
+            const label place = lanes*(k % nDims) + k/nDims;
+            for (label i = 0; i < n; ++i)
+            {
+                to[i] = rows_[lanes*nDims*rowOf[i] + place];
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::viscousResponse::makeWoodbury()
+{
+    solveBlocks(turned_[0], solved_[0]);
+    solveBlocks(turned_[1], solved_[1]);
+    woodbury_.resize(group_.size());
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        Eigen::Matrix2d inverse(deltaT_*reduced_[copyi].inverse());
+        inverse.col(0) -= project(solved_[0], copyi);
+        inverse.col(1) -= project(solved_[1], copyi);
+        woodbury_[copyi] = inverse.inverse();
+    }
 }
 
 
@@ -117,29 +166,30 @@ void Foam::fsi::viscousResponse::update
 )
 {
     const label nDims = group_.shape().nDims();
-    const label nCopies = group_.size();
     deltaT_ = dt;
 
     makeModes();
-    factors_.resize(nCopies);
-    woodbury_.resize(nCopies);
-    solvedMassMode_.resize(massMode_.rows(), massMode_.cols());
-    solvedStiffMode_.resize(massMode_.rows(), massMode_.cols());
-    for (label copyi = 0; copyi < nCopies; ++copyi)
+    factors_.resize
+    (
+        (group_.size() + laneCholesky::lanes - 1)/laneCholesky::lanes
+    );
+    for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
     {
-        factorCopy(copyi, links[copyi]);
+        factorBlock(blocki, links);
     }
+    makeWoodbury();
 
-    // K v~ = A v~ - m (s.v~) - s (m.v~) + (a + 1) m (m.v~)
-    source_ = group_.shape().factor(dt).matrix()*predicted;
-    for (label copyi = 0; copyi < nCopies; ++copyi)
+    // K v~ = S v~ - Y E Y^T v~
+    const Eigen::MatrixXd start(predicted.topRows(boundary().size()));
+    source_ = boundary().matrix()*start;
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        const scalar mv = dot(massMode_, predicted, copyi);
-        const scalar sv = dot(stiffMode_, predicted, copyi);
-        source_.middleCols(nDims*copyi, nDims) +=
-            ((modeStiffness_[copyi] + 1)*mv - sv)
-           *massMode_.middleCols(nDims*copyi, nDims)
-          - mv*stiffMode_.middleCols(nDims*copyi, nDims);
+        const Eigen::Vector2d amount(reduced_[copyi]*project(start, copyi));
+        for (label mode = 0; mode < 2; ++mode)
+        {
+            source_.middleCols(nDims*copyi, nDims) -=
+                amount[mode]*turned_[mode].middleCols(nDims*copyi, nDims);
+        }
     }
     source_ /= dt;
 }
@@ -148,30 +198,20 @@ void Foam::fsi::viscousResponse::update
 void Foam::fsi::viscousResponse::solve
 (
     Eigen::MatrixXd& f,
-    Eigen::MatrixXd& v,
-    const bool withSource
+    Eigen::MatrixXd& v
 ) const
 {
     const label nDims = group_.shape().nDims();
-    if (withSource)
-    {
-        f += source_;
-    }
-
-    v.resize(f.rows(), f.cols());
+    f += source_;
+    solveBlocks(f, v);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        auto vc = v.middleCols(nDims*copyi, nDims);
-        vc = factors_[copyi]->solve(f.middleCols(nDims*copyi, nDims));
-
-        const Eigen::Vector2d projected
-        (
-            dot(massMode_, v, copyi),
-            dot(stiffMode_, v, copyi)
-        );
-        const Eigen::Vector2d c(woodbury_[copyi]*projected);
-        vc -= c[0]*solvedMassMode_.middleCols(nDims*copyi, nDims);
-        vc -= c[1]*solvedStiffMode_.middleCols(nDims*copyi, nDims);
+        const Eigen::Vector2d amount(woodbury_[copyi]*project(v, copyi));
+        for (label mode = 0; mode < 2; ++mode)
+        {
+            v.middleCols(nDims*copyi, nDims) +=
+                amount[mode]*solved_[mode].middleCols(nDims*copyi, nDims);
+        }
     }
 }
 

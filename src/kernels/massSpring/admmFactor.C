@@ -142,4 +142,22 @@ const Eigen::MatrixXd& Foam::fsi::admmFactor::boundaryInverse() const
 }
 
 
+const Foam::fsi::admmFactor&
+Foam::fsi::admmFactor::boundaryFactor() const
+{
+    if (!boundaryFactor_)
+    {
+        const Eigen::MatrixXd inverse(boundaryInverse().inverse());
+        const Eigen::MatrixXd schur(0.5*(inverse + inverse.transpose()));
+        boundaryFactor_ = std::make_unique<admmFactor>
+        (
+            Eigen::SparseMatrix<double>(schur.sparseView(0, 0)),
+            nBoundary_,
+            deltaT_
+        );
+    }
+    return *boundaryFactor_;
+}
+
+
 // ************************************************************************* //
