@@ -28,6 +28,33 @@ Foam::scalar Foam::fsi::viscousResponse::dot
 }
 
 
+void Foam::fsi::viscousResponse::solveCopy
+(
+    const label copyi,
+    const Eigen::MatrixXd& b,
+    Eigen::MatrixXd& x
+) const
+{
+    const label nDims = group_.shape().nDims();
+    if (group_.response().matrix().coupled())
+    {
+        // The columns of a copy, one after the other
+        const label n = nDims*b.rows();
+        typedef Eigen::VectorXd vectorX;
+        Eigen::Map<vectorX>(x.col(nDims*copyi).data(), n) =
+            factors_[copyi]->solve
+            (
+                Eigen::Map<const vectorX>(b.col(nDims*copyi).data(), n)
+            );
+    }
+    else
+    {
+        x.middleCols(nDims*copyi, nDims) =
+            factors_[copyi]->solve(b.middleCols(nDims*copyi, nDims));
+    }
+}
+
+
 void Foam::fsi::viscousResponse::makeModes()
 {
     const label nDims = group_.shape().nDims();
@@ -40,7 +67,7 @@ void Foam::fsi::viscousResponse::makeModes()
     );
 
     massMode_ = mass.asDiagonal()*r;
-    stiffMode_ = group_.shape().factor(deltaT_).matrix()*r;
+    stiffMode_ = group_.response().matrix().multiply(r);
     modeStiffness_.resize(r.cols()/nDims);
     for (label copyi = 0; copyi < modeStiffness_.size(); ++copyi)
     {
@@ -55,27 +82,35 @@ void Foam::fsi::viscousResponse::factorCopy
     const std::vector<copyLink>& links
 )
 {
-    const label nDims = group_.shape().nDims();
-    const sparseMatrix& A = group_.shape().factor(deltaT_).matrix();
+    const responseMatrix& A = group_.response().matrix();
+    const label nNodes = group_.shape().nNodes();
 
     // A/dt + W: the nodes of a surface face are joined by springs, so that W
     // has the pattern of A
-    sparseMatrix B(A/deltaT_);
+    sparseMatrix B(A.matrix(copyi)/deltaT_);
     for (const copyLink& link : links)
     {
         for (label i = 0; i < 3 && link.nodes[i] >= 0; ++i)
         {
             for (label j = 0; j < 3 && link.nodes[j] >= 0; ++j)
             {
-                B.coeffRef(link.nodes[i], link.nodes[j]) +=
-                    link.coefficient*link.weights[i]*link.weights[j];
+                for (label first = 0; first < B.rows(); first += nNodes)
+                {
+                    B.coeffRef(first + link.nodes[i], first + link.nodes[j]) +=
+                        link.coefficient*link.weights[i]*link.weights[j];
+                }
             }
         }
     }
 
+    // The pattern of a membrane's matrix changes with its triangles
+    const bool newPattern = A.coupled() || !factors_[copyi];
     if (!factors_[copyi])
     {
         factors_[copyi] = std::make_unique<cholesky>();
+    }
+    if (newPattern)
+    {
         factors_[copyi]->analyzePattern(B);
     }
     factors_[copyi]->factorize(B);
@@ -88,12 +123,8 @@ void Foam::fsi::viscousResponse::factorCopy
             << exit(FatalError);
     }
 
-    const auto m = massMode_.middleCols(nDims*copyi, nDims);
-    const auto s = stiffMode_.middleCols(nDims*copyi, nDims);
-    auto zm = solvedMassMode_.middleCols(nDims*copyi, nDims);
-    auto zs = solvedStiffMode_.middleCols(nDims*copyi, nDims);
-    zm = factors_[copyi]->solve(m);
-    zs = factors_[copyi]->solve(s);
+    solveCopy(copyi, massMode_, solvedMassMode_);
+    solveCopy(copyi, stiffMode_, solvedStiffMode_);
 
     // K - A = U S U^T, U = [m s], S = [a+1, -1; -1, 0], a = r^T A r, so that
     // S^-1 = -[0, 1; 1, a+1]
@@ -131,7 +162,7 @@ void Foam::fsi::viscousResponse::update
     }
 
     // K v~ = A v~ - m (s.v~) - s (m.v~) + (a + 1) m (m.v~)
-    source_ = group_.shape().factor(dt).matrix()*predicted;
+    source_ = group_.response().matrix().multiply(predicted);
     for (label copyi = 0; copyi < nCopies; ++copyi)
     {
         const scalar mv = dot(massMode_, predicted, copyi);
@@ -161,8 +192,8 @@ void Foam::fsi::viscousResponse::solve
     v.resize(f.rows(), f.cols());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
+        solveCopy(copyi, f, v);
         auto vc = v.middleCols(nDims*copyi, nDims);
-        vc = factors_[copyi]->solve(f.middleCols(nDims*copyi, nDims));
 
         const Eigen::Vector2d projected
         (
