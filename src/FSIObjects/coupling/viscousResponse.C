@@ -55,7 +55,7 @@ void Foam::fsi::viscousResponse::solveCopy
 }
 
 
-void Foam::fsi::viscousResponse::makeModes()
+void Foam::fsi::viscousResponse::makeModes(const scalar viscosity)
 {
     const label nDims = group_.shape().nDims();
     const Eigen::MatrixXd& r = group_.response().rotationModes();
@@ -69,9 +69,24 @@ void Foam::fsi::viscousResponse::makeModes()
     massMode_ = mass.asDiagonal()*r;
     stiffMode_ = group_.response().matrix().multiply(r);
     modeStiffness_.resize(r.cols()/nDims);
+    turnDamping_.resize(r.cols()/nDims);
     for (label copyi = 0; copyi < modeStiffness_.size(); ++copyi)
     {
         modeStiffness_[copyi] = dot(r, stiffMode_, copyi);
+
+        // r has the size arm/sqrt(I)
+        const vector arm =
+            point
+            (
+                group_.positions()(0, nDims*copyi),
+                group_.positions()(0, nDims*copyi + 1),
+                0
+            )
+          - group_.centroid(copyi);
+        const scalar inertia =
+            (sqr(arm.x()) + sqr(arm.y()))
+           /r.block(0, nDims*copyi, 1, nDims).squaredNorm();
+        turnDamping_[copyi] = 2*viscosity*group_.volume(copyi)/inertia;
     }
 }
 
@@ -127,13 +142,13 @@ void Foam::fsi::viscousResponse::factorCopy
     solveCopy(copyi, stiffMode_, solvedStiffMode_);
 
     // K - A = U S U^T, U = [m s], S = [a+1, -1; -1, 0], a = r^T A r, so that
-    // S^-1 = -[0, 1; 1, a+1]
+    // S^-1 = -[0, 1; 1, a+1]; the damping b adds dt b to a
     Eigen::Matrix2d W;
     W << dot(massMode_, solvedMassMode_, copyi),
          dot(massMode_, solvedStiffMode_, copyi) - deltaT_,
          dot(stiffMode_, solvedMassMode_, copyi) - deltaT_,
          dot(stiffMode_, solvedStiffMode_, copyi)
-       - deltaT_*(modeStiffness_[copyi] + 1);
+       - deltaT_*(modeStiffness_[copyi] + 1 + deltaT_*turnDamping_[copyi]);
     woodbury_[copyi] = W.inverse();
 }
 
@@ -143,6 +158,7 @@ void Foam::fsi::viscousResponse::factorCopy
 void Foam::fsi::viscousResponse::update
 (
     const scalar dt,
+    const scalar viscosity,
     const std::vector<std::vector<copyLink>>& links,
     const Eigen::MatrixXd& predicted
 )
@@ -151,7 +167,7 @@ void Foam::fsi::viscousResponse::update
     const label nCopies = group_.size();
     deltaT_ = dt;
 
-    makeModes();
+    makeModes(viscosity);
     factors_.resize(nCopies);
     woodbury_.resize(nCopies);
     solvedMassMode_.resize(massMode_.rows(), massMode_.cols());
@@ -167,8 +183,12 @@ void Foam::fsi::viscousResponse::update
     {
         const scalar mv = dot(massMode_, predicted, copyi);
         const scalar sv = dot(stiffMode_, predicted, copyi);
+        const scalar turn = dot(massMode_, group_.velocities(), copyi);
         source_.middleCols(nDims*copyi, nDims) +=
-            ((modeStiffness_[copyi] + 1)*mv - sv)
+            (
+                (modeStiffness_[copyi] + 1)*mv - sv
+              + dt*turnDamping_[copyi]*turn
+            )
            *massMode_.middleCols(nDims*copyi, nDims)
           - mv*stiffMode_.middleCols(nDims*copyi, nDims);
     }
