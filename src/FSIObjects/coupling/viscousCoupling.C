@@ -105,7 +105,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         }
         if (!responses_[groupi])
         {
-            responses_[groupi] = std::make_unique<viscousResponse>(group);
+            responses_[groupi] = viscousResponse::New(group);
         }
         const auto first = links.begin() + objects.objectIndex(groupi, 0);
         responses_[groupi]->update
@@ -136,6 +136,7 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
         link.place.spread(nodal_, value);
     }
     sumOverRanks(nodal_);
+    addTransposedForce(system_, nodalVelocity_, nodal_);
 
     system_.toBoundary(nodal_, groupForce_);
     forAll(v, groupi)
@@ -220,6 +221,7 @@ void Foam::fsi::viscousCoupling::solve
             system_.objects.shape(groupi).nBoundaryNodes()
         );
     }
+    system_.fromBoundary(boundary, nodalVelocity_);
     nodeVelocity(boundary);
     moveWalls(boundary);
     const scalar norm = matrix_.sourceNorm() + VSMALL;
@@ -249,6 +251,7 @@ void Foam::fsi::viscousCoupling::solve
     force = Zero;
     addLinkForce(system_, U, nodalVelocity_, force);
     sumOverRanks(force);
+    addTransposedForce(system_, nodalVelocity_, force);
 
     velocity = predicted;
     system_.objects.toGroups(force, groupForce_);
@@ -256,13 +259,11 @@ void Foam::fsi::viscousCoupling::solve
     {
         if (responses_[groupi])
         {
-            Eigen::MatrixXd change;
-            system_.objects.groups()[groupi].respond
+            responses_[groupi]->finish
             (
                 groupForce_[groupi],
-                change
+                velocity[groupi]
             );
-            velocity[groupi] += change;
         }
     }
 }

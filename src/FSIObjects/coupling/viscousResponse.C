@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viscousResponse.H"
+#include "laneResponse.H"
+#include "sparseResponse.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -11,148 +12,33 @@ Foam::fsi::viscousResponse::viscousResponse(const bodyGroup& group)
 {}
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
-Eigen::Vector2d Foam::fsi::viscousResponse::project
+std::unique_ptr<Foam::fsi::viscousResponse>
+Foam::fsi::viscousResponse::New(const bodyGroup& group)
+{
+    if (group.response().matrix().coupled())
+    {
+        return std::make_unique<sparseResponse>(group);
+    }
+    return std::make_unique<laneResponse>(group);
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::viscousResponse::product
 (
-    const Eigen::MatrixXd& x,
+    const Eigen::MatrixXd& a,
+    const Eigen::MatrixXd& b,
     const label copyi
 ) const
 {
     const label nDims = group_.shape().nDims();
-    const auto columns = x.middleCols(nDims*copyi, nDims);
-    Eigen::Vector2d amount;
-    for (label mode = 0; mode < 2; ++mode)
-    {
-        amount[mode] = turned_[mode].middleCols(nDims*copyi, nDims)
-           .cwiseProduct(columns).sum();
-    }
-    return amount;
-}
-
-
-void Foam::fsi::viscousResponse::makeModes()
-{
-    const bodyResponse& response = group_.response();
-    const label nB = group_.shape().nBoundaryNodes();
-    const Eigen::MatrixXd modes[2] =
-    {
-        response.rotationModes().topRows(nB),
-        response.elasticRotation().topRows(nB)
-    };
-    for (label mode = 0; mode < 2; ++mode)
-    {
-        turned_[mode] = boundary().matrix()*modes[mode];
-    }
-
-    reduced_.resize(group_.size());
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        Eigen::Matrix2d E;
-        E.col(0) = project(modes[0], copyi);
-        E.col(1) = project(modes[1], copyi);
-        E(0, 0) += 1;
-        E(1, 1) -= 1;
-        reduced_[copyi] = E.inverse();
-    }
-}
-
-
-void Foam::fsi::viscousResponse::factorBlock
-(
-    const label blocki,
-    const std::vector<std::vector<copyLink>>& links
-)
-{
-    laneCholesky& block = factors_[blocki];
-    block.reset(boundary(), 1/deltaT_);
-    const label first = blocki*laneCholesky::lanes;
-    const label last = min(first + laneCholesky::lanes, group_.size());
-    for (label copyi = first; copyi < last; ++copyi)
-    {
-        for (const copyLink& link : links[copyi])
-        {
-            for (label i = 0; i < 3 && link.nodes[i] >= 0; ++i)
-            {
-                for (label j = 0; j <= i; ++j)
-                {
-                    block.add
-                    (
-                        int(copyi - first),
-                        link.nodes[i],
-                        link.nodes[j],
-                        link.coefficient*link.weights[i]*link.weights[j]
-                    );
-                }
-            }
-        }
-    }
-    if (!block.factor())
-    {
-        FatalErrorInFunction
-            << "The matrix of the viscous links of a copy of shape "
-            << group_.shape().name() << ", " << first << " to " << last - 1
-            << ", is not positive definite" << exit(FatalError);
-    }
-}
-
-
-void Foam::fsi::viscousResponse::solveBlocks
-(
-    const Eigen::MatrixXd& b,
-    Eigen::MatrixXd& x
-) const
-{
-    constexpr label lanes = laneCholesky::lanes;
-    const label nDims = group_.shape().nDims();
-    const labelList& rowOf = boundary().rowOf();
-    const label n = b.rows();
-
-    x.resize(n, b.cols());
-    rows_.setSize(lanes*nDims*n);
-    for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
-    {
-        const label first = nDims*lanes*blocki;
-        const label nColumns = min(nDims*lanes, label(b.cols()) - first);
-        if (nColumns < nDims*lanes)
-        {
-            rows_ = 0;
-        }
-        for (label k = 0; k < nColumns; ++k)
-        {
-            const double* from = b.col(first + k).data();
-            const label place = lanes*(k % nDims) + k/nDims;
-            for (label i = 0; i < n; ++i)
-            {
-                rows_[lanes*nDims*rowOf[i] + place] = from[i];
-            }
-        }
-        factors_[blocki].solve(rows_.data(), nDims);
-        for (label k = 0; k < nColumns; ++k)
-        {
-            double* to = x.col(first + k).data();
-            const label place = lanes*(k % nDims) + k/nDims;
-            for (label i = 0; i < n; ++i)
-            {
-                to[i] = rows_[lanes*nDims*rowOf[i] + place];
-            }
-        }
-    }
-}
-
-
-void Foam::fsi::viscousResponse::makeWoodbury()
-{
-    solveBlocks(turned_[0], solved_[0]);
-    solveBlocks(turned_[1], solved_[1]);
-    woodbury_.resize(group_.size());
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        Eigen::Matrix2d inverse(deltaT_*reduced_[copyi].inverse());
-        inverse.col(0) -= project(solved_[0], copyi);
-        inverse.col(1) -= project(solved_[1], copyi);
-        woodbury_[copyi] = inverse.inverse();
-    }
+    return a.middleCols(nDims*copyi, nDims).cwiseProduct
+    (
+        b.middleCols(nDims*copyi, nDims)
+    ).sum();
 }
 
 
@@ -161,58 +47,24 @@ void Foam::fsi::viscousResponse::makeWoodbury()
 void Foam::fsi::viscousResponse::update
 (
     const scalar dt,
-    const std::vector<std::vector<copyLink>>& links,
+    const copyLinks& links,
     const Eigen::MatrixXd& predicted
 )
 {
-    const label nDims = group_.shape().nDims();
     deltaT_ = dt;
-
-    makeModes();
-    factors_.resize
-    (
-        (group_.size() + laneCholesky::lanes - 1)/laneCholesky::lanes
-    );
-    for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
-    {
-        factorBlock(blocki, links);
-    }
-    makeWoodbury();
-
-    // K v~ = S v~ - Y E Y^T v~
-    const Eigen::MatrixXd start(predicted.topRows(boundary().size()));
-    source_ = boundary().matrix()*start;
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        const Eigen::Vector2d amount(reduced_[copyi]*project(start, copyi));
-        for (label mode = 0; mode < 2; ++mode)
-        {
-            source_.middleCols(nDims*copyi, nDims) -=
-                amount[mode]*turned_[mode].middleCols(nDims*copyi, nDims);
-        }
-    }
-    source_ /= dt;
+    start_ = predicted;
+    prepare(links);
 }
 
 
-void Foam::fsi::viscousResponse::solve
+void Foam::fsi::viscousResponse::finish
 (
-    Eigen::MatrixXd& f,
+    const Eigen::MatrixXd& force,
     Eigen::MatrixXd& v
 ) const
 {
-    const label nDims = group_.shape().nDims();
-    f += source_;
-    solveBlocks(f, v);
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        const Eigen::Vector2d amount(woodbury_[copyi]*project(v, copyi));
-        for (label mode = 0; mode < 2; ++mode)
-        {
-            v.middleCols(nDims*copyi, nDims) +=
-                amount[mode]*solved_[mode].middleCols(nDims*copyi, nDims);
-        }
-    }
+    group_.respond(force, v);
+    v += start_;
 }
 
 

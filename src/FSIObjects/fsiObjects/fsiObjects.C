@@ -19,7 +19,7 @@ static const dictionary& checked(const dictionary& dict)
         dict,
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
-            "ddtPhiCoeff", "levelSet", "coupling", "contact", "output"
+            "ddtPhiCoeff", "transposedStress", "levelSet", "coupling", "contact", "output"
         }
     );
     return dict;

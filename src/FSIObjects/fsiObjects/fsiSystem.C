@@ -2,6 +2,7 @@
 
 #include "fsiSystem.H"
 #include "dictionaryCheck.H"
+#include "Enum.H"
 #include "objectContact.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -23,6 +24,14 @@ Foam::fsi::fsiSystem::fsiSystem
     fluid(geometry, dict),
     fluidDensity(readPositive(dict, "fluidDensity")),
     viscosity(viscosity),
+    transposedStress
+    (
+        Enum<transposedPart>
+        ({
+            {transposedPart::rotation, "rotation"},
+            {transposedPart::linear, "linear"}
+        }).getOrDefault("transposedStress", dict, transposedPart::rotation)
+    ),
     gravity(dict.lookupOrDefault<vector>("gravity", Zero))
 {
     if (objects.nDims() != grid.nDims())

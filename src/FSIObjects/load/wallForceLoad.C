@@ -39,6 +39,7 @@ void Foam::fsi::wallForceLoad::calculate
     force = Zero;
     addLinkForce(system_, U, wallVelocity, force);
     sumOverRanks(force);
+    addTransposedForce(system_, wallVelocity, force);
 
     vectorField pressureForce;
     system_.walls.transpose(p.primitiveField(), pressureForce);

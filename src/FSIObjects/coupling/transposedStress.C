@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "viscousCoupling.H"
+
+#include <Eigen/Dense>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+typedef Eigen::Matrix2d tensor2D;
+
+static Eigen::Vector2d inPlane(const vector& v)
+{
+    return {v.x(), v.y()};
+}
+
+
+//- Add the force on one object, whose nodes and faces are those from start to
+//  end in the surfaces' lists
+static void addTransposedForce
+(
+    const vectorField& x,
+    const vectorField& v,
+    const SubList<surfaceFace>& faces,
+    const labelPair& nodes,
+    const scalar viscosity,
+    const bool rotationOnly,
+    vectorField& force
+)
+{
+    const label n = nodes.second() - nodes.first();
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    for (label i = nodes.first(); i < nodes.second(); ++i)
+    {
+        centre += inPlane(x[i])/n;
+    }
+
+    // The rotation or linear velocity field nearest to that of the nodes
+    tensor2D second = tensor2D::Zero();
+    tensor2D moment = tensor2D::Zero();
+    for (label i = nodes.first(); i < nodes.second(); ++i)
+    {
+        const Eigen::Vector2d arm(inPlane(x[i]) - centre);
+        second += arm*arm.transpose();
+        moment += inPlane(v[i])*arm.transpose();
+    }
+    tensor2D turn;
+    turn << 0, -1, 1, 0;
+    const auto linear = [&](const tensor2D& sum) -> tensor2D
+    {
+        if (rotationOnly)
+        {
+            return turn*((sum(1, 0) - sum(0, 1))/second.trace());
+        }
+        return sum*second.inverse();
+    };
+    const tensor2D gradient(linear(moment));
+
+    // First moment of its forces, as a linear field of nodal forces
+    tensor2D forces = tensor2D::Zero();
+    for (const surfaceFace& face : faces)
+    {
+        const Eigen::Vector2d a(inPlane(x[face[0]]) - centre);
+        const Eigen::Vector2d b(inPlane(x[face[1]]) - centre);
+        forces +=
+            viscosity*turn*gradient*(b - a)*(0.5*(a + b)).transpose();
+    }
+    const tensor2D field(linear(forces));
+    for (label i = nodes.first(); i < nodes.second(); ++i)
+    {
+        const Eigen::Vector2d f(field*(inPlane(x[i]) - centre));
+        force[i].x() += f.x();
+        force[i].y() += f.y();
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::addTransposedForce
+(
+    const fsiSystem& system,
+    const vectorField& v,
+    vectorField& force
+)
+{
+    const surfaceSet& surfaces = system.objects.surfaces();
+    const scalar viscosity =
+        system.fluidDensity*system.viscosity*system.grid.thickness();
+
+    // Faces stand in the order of their objects
+    label face = 0;
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        const label first = face;
+        while
+        (
+            face < surfaces.faces().size()
+         && surfaces.faceObject()[face] == objecti
+        )
+        {
+            ++face;
+        }
+        addTransposedForce
+        (
+            surfaces.points(),
+            v,
+            SubList<surfaceFace>(surfaces.faces(), face - first, first),
+            labelPair
+            (
+                surfaces.pointStart()[objecti],
+                surfaces.pointStart()[objecti + 1]
+            ),
+            viscosity,
+            system.transposedStress == fsiSystem::transposedPart::rotation,
+            force
+        );
+    }
+}
+
+
+// ************************************************************************* //
