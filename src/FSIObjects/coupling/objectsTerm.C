@@ -69,11 +69,13 @@ void Foam::fsi::objectsTerm::rowSums(scalarField& d) const
     {
         if (system_.objects.groups()[groupi].free())
         {
-            const admmFactor& factor =
-                system_.objects.shape(groupi).factor(dt);
-            force[groupi] =
-                (dt*system_.fluidDensity)
-               *(factor.boundaryInverse()*force[groupi]).eval();
+            Eigen::MatrixXd v;
+            system_.objects.groups()[groupi].response().matrix().solveBoundary
+            (
+                force[groupi],
+                v
+            );
+            force[groupi] = (dt*system_.fluidDensity)*v;
         }
         else
         {
@@ -90,18 +92,23 @@ void Foam::fsi::objectsTerm::nodeDiagonal(scalarField& d) const
     const scalar dt = system_.deltaT();
     const surfaceSet& surfaces = system_.objects.surfaces();
 
-    // dt rho/A_ii per surface node
-    scalarField mobility(surfaces.points().size(), Zero);
+    // dt rho/A_ii per surface node and component
+    vectorField mobility(surfaces.points().size(), Zero);
     forAll(surfaces.pointObject(), nodei)
     {
         const label objecti = surfaces.pointObject()[nodei];
-        const label groupi = system_.objects.objectGroup(objecti);
-        if (system_.objects.groups()[groupi].free())
+        const label copyi = system_.objects.objectCopy(objecti);
+        const bodyGroup& group =
+            system_.objects.groups()[system_.objects.objectGroup(objecti)];
+        if (group.free())
         {
+            const responseMatrix& A = group.response().matrix();
             const label i = nodei - surfaces.pointStart()[objecti];
-            mobility[nodei] =
-                dt*system_.fluidDensity
-               /system_.objects.shape(groupi).factor(dt).matrix().coeff(i, i);
+            for (direction d = 0; d < group.shape().nDims(); ++d)
+            {
+                mobility[nodei][d] =
+                    dt*system_.fluidDensity/A.diagonal(copyi, i, d);
+            }
         }
     }
 
@@ -123,7 +130,8 @@ void Foam::fsi::objectsTerm::nodeDiagonal(scalarField& d) const
         {
             sum += loads[i].value;
         }
-        d[loads[first].cell] += sqr(sum)*mobility[loads[first].dof/3];
+        const label dof = loads[first].dof;
+        d[loads[first].cell] += sqr(sum)*mobility[dof/3][dof % 3];
     }
 }
 

@@ -120,7 +120,6 @@ void Foam::fsi::objectContact::setBodies()
         (
             objects.surfaces(),
             identity(group.size(), objects.objectIndex(groupi, 0)),
-            system_.deltaT(),
             contact_.needsInternalForces(),
             bodies_
         );

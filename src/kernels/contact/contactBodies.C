@@ -26,10 +26,12 @@ void Foam::fsi::contactBodies::reset(const surfaceSet& surfaces)
 void Foam::fsi::contactBodies::setInverse
 (
     const label objecti,
-    const Eigen::MatrixXd* inverse
+    const Eigen::MatrixXd* inverse,
+    const bool coupled
 )
 {
     bodies_[objecti].inverse = inverse;
+    bodies_[objecti].coupled = coupled;
 }
 
 

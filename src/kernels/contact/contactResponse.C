@@ -16,7 +16,22 @@ Foam::scalar Foam::fsi::contactResponse::compliance
     const contactBodies::body& b = (*bodies_)[objecti];
     const label start = surfaces_->pointStart()[objecti];
 
-    scalar sum = b.inverse ? (*b.inverse)(i - start, j - start)*(n & m) : 0;
+    scalar sum = 0;
+    if (b.inverse && !b.coupled)
+    {
+        sum = (*b.inverse)(i - start, j - start)*(n & m);
+    }
+    else if (b.inverse)
+    {
+        const Eigen::MatrixXd& B = *b.inverse;
+        const label nNodes = B.rows()/2;
+        for (label c = 0; c < 4; ++c)
+        {
+            const label row = i - start + (c/2)*nNodes;
+            const label column = j - start + (c % 2)*nNodes;
+            sum += B(row, column)*n[c/2]*m[c % 2];
+        }
+    }
     for (label k = 0; k < b.nModes; ++k)
     {
         sum +=
@@ -48,7 +63,23 @@ void Foam::fsi::contactResponse::addImpulse
             amplitudes_[objecti][k] +=
                 b.coefficients[k]*(bodies_->mode(nodes[n], k) & share);
         }
-        if (b.inverse && weights[n] != 0)
+        if (b.inverse && b.coupled && weights[n] != 0)
+        {
+            const Eigen::MatrixXd& B = *b.inverse;
+            const label nNodes = B.rows()/2;
+            vector* v = &velocities_[start];
+            for (label column = 0; column < 2; ++column)
+            {
+                const double* response =
+                    B.col(nodes[n] - start + column*nNodes).data();
+                for (label i = 0; i < nNodes; ++i)
+                {
+                    v[i].x() += response[i]*share[column];
+                    v[i].y() += response[nNodes + i]*share[column];
+                }
+            }
+        }
+        else if (b.inverse && weights[n] != 0)
         {
             const double* column = b.inverse->col(nodes[n] - start).data();
             vector* v = &velocities_[start];

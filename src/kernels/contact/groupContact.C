@@ -70,7 +70,6 @@ void Foam::fsi::groupContact::set
 (
     const surfaceSet& surfaces,
     const labelUList& objects,
-    const scalar dt,
     const bool internalForces,
     contactBodies& bodies
 )
@@ -104,14 +103,17 @@ void Foam::fsi::groupContact::set
         return;
     }
 
-    const Eigen::MatrixXd* inverse =
-        &group_.shape().factor(dt).boundaryInverse();
-    for (const label objecti : objects)
+    const bodyResponse& response = group_.response();
+    forAll(objects, copyi)
     {
-        bodies.setInverse(objecti, inverse);
+        bodies.setInverse
+        (
+            objects[copyi],
+            &response.matrix().boundaryInverse(copyi),
+            response.matrix().coupled()
+        );
     }
 
-    const bodyResponse& response = group_.response();
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(objects.size());
     addMode(surfaces, objects, response.rotationModes(), ones, bodies);
     addMode(surfaces, objects, response.elasticRotation(), -ones, bodies);

@@ -2,6 +2,7 @@
 
 #include "bodyGroup.H"
 #include "error.H"
+#include "innerFlow.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -13,6 +14,10 @@ void Foam::fsi::bodyGroup::resize(const label nCopies)
     if (shape_.law().hasState())
     {
         springStates_.conservativeResize(shape_.springs().size(), nCopies);
+    }
+    if (shape_.membrane())
+    {
+        triangles_.resize(nCopies, shape_.elements());
     }
     objectIds_.resize(nCopies, -1);
 }
@@ -113,6 +118,10 @@ void Foam::fsi::bodyGroup::remove(const label copyi)
         {
             springStates_.col(next - 1) = springStates_.col(next);
         }
+        if (shape_.membrane())
+        {
+            triangles_[next - 1] = triangles_[next];
+        }
         objectIds_[next - 1] = objectIds_[next];
     }
     resize(size() - 1);
@@ -127,7 +136,11 @@ void Foam::fsi::bodyGroup::predict
     Eigen::MatrixXd& v
 ) const
 {
-    if (free())
+    if (free() && shape_.membrane())
+    {
+        predictMembrane(dt, force, v);
+    }
+    else if (free())
     {
         solver_.solve
         (
@@ -147,7 +160,7 @@ void Foam::fsi::bodyGroup::prepareResponse(const scalar dt)
 {
     if (free())
     {
-        response_.prepare(dt, positions_);
+        response_.prepare(dt, positions_, triangles_);
     }
 }
 
@@ -203,6 +216,16 @@ void Foam::fsi::bodyGroup::move(const scalar dt, const Eigen::MatrixXd& v)
 {
     positions_ += dt*v;
     velocities_ = v;
+
+    forAll(triangles_, copyi)
+    {
+        innerFlow::renew
+        (
+            triangles_[copyi],
+            positions_.middleCols(2*copyi, 2),
+            shape_.nBoundaryNodes()
+        );
+    }
 
     if (shape_.law().hasState())
     {

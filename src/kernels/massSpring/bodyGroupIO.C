@@ -45,6 +45,64 @@ static void readMatrix
     std::copy_n(values.cbegin(), values.size(), matrix.data());
 }
 
+
+//- Write the node labels of the triangles of all copies
+static void writeTriangles
+(
+    Ostream& os,
+    const List<List<bodyElement>>& triangles
+)
+{
+    DynamicList<label> labels;
+    for (const List<bodyElement>& copy : triangles)
+    {
+        for (const bodyElement& triangle : copy)
+        {
+            for (label i = 0; i < 3; ++i)
+            {
+                labels.append(triangle[i]);
+            }
+        }
+    }
+    labelList(std::move(labels)).writeEntry("triangles", os);
+}
+
+
+//- Read them into lists of the sizes they have
+static void readTriangles
+(
+    const dictionary& dict,
+    const label nNodes,
+    List<List<bodyElement>>& triangles
+)
+{
+    const labelList labels(dict.get<labelList>("triangles"));
+    label next = 0;
+    for (List<bodyElement>& copy : triangles)
+    {
+        for (bodyElement& triangle : copy)
+        {
+            for (label i = 0; i < 3 && next < labels.size(); ++i)
+            {
+                triangle[i] = labels[next++];
+            }
+        }
+    }
+    const label expected =
+        triangles.empty() ? 0 : 3*triangles.size()*triangles[0].size();
+    if
+    (
+        labels.size() != expected
+     || (expected && (min(labels) < 0 || max(labels) >= nNodes))
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'triangles' in dictionary " << dict.name() << " has "
+            << labels.size() << " values but must have " << expected
+            << " labels of nodes" << exit(FatalIOError);
+    }
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -63,6 +121,10 @@ void Foam::fsi::bodyGroup::write(Ostream& os) const
     {
         writeMatrix(os, "springStates", springStates_);
     }
+    if (shape_.membrane())
+    {
+        writeTriangles(os, triangles_);
+    }
 
     os.precision(oldPrecision);
 }
@@ -78,6 +140,10 @@ void Foam::fsi::bodyGroup::read(const dictionary& dict)
     if (shape_.law().hasState())
     {
         readMatrix(dict, "springStates", springStates_);
+    }
+    if (shape_.membrane())
+    {
+        readTriangles(dict, shape_.nNodes(), triangles_);
     }
 }
 

@@ -85,6 +85,56 @@ Foam::scalar Foam::fsi::bodyGroup::springLength
 }
 
 
+void Foam::fsi::bodyGroup::addElementTerms
+(
+    const label copyi,
+    scalar& energy,
+    Eigen::MatrixXd* force
+) const
+{
+    if (shape_.membrane())
+    {
+        const auto x = positions_.middleCols(2*copyi, 2);
+        energy += shape_.bending().energy(x);
+        if (force)
+        {
+            shape_.bending().addForce(x, force->middleCols(2*copyi, 2));
+        }
+        return;
+    }
+
+    const volumeTerm& term = shape_.elementTerm();
+    forAll(shape_.elements(), elementi)
+    {
+        const FixedList<scalar, 4> toUnit
+        (
+            toUnitDeterminant(shape_, elementi, positions_, copyi)
+        );
+        const scalar weight = term.stiffness()*term.volumes()[elementi];
+        for (const scalar part : toUnit)
+        {
+            energy += 0.5*weight*sqr(part);
+        }
+        if (force)
+        {
+            auto f = force->middleCols(2*copyi, 2);
+            const bodyElement& element = shape_.elements()[elementi];
+            const scalar* B = &term.inverseEdges()[4*elementi];
+            for (label i = 0; i < 2; ++i)
+            {
+                const scalar h1 =
+                    weight*(toUnit[2*i]*B[0] + toUnit[2*i + 1]*B[1]);
+                const scalar h2 =
+                    weight*(toUnit[2*i]*B[2] + toUnit[2*i + 1]*B[3]);
+                f(element[0], i) -= h1 + h2;
+                f(element[1], i) += h1;
+                f(element[2], i) += h2;
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::bodyGroup::internalForce(Eigen::MatrixXd& force) const
@@ -118,27 +168,8 @@ void Foam::fsi::bodyGroup::internalForce(Eigen::MatrixXd& force) const
             }
         }
 
-        const volumeTerm& term = shape_.elementTerm();
-        forAll(shape_.elements(), elementi)
-        {
-            const bodyElement& element = shape_.elements()[elementi];
-            const FixedList<scalar, 4> toUnit
-            (
-                toUnitDeterminant(shape_, elementi, positions_, copyi)
-            );
-            const scalar* B = &term.inverseEdges()[4*elementi];
-            const scalar weight = term.stiffness()*term.volumes()[elementi];
-            for (label i = 0; i < 2; ++i)
-            {
-                const scalar h1 =
-                    weight*(toUnit[2*i]*B[0] + toUnit[2*i + 1]*B[1]);
-                const scalar h2 =
-                    weight*(toUnit[2*i]*B[2] + toUnit[2*i + 1]*B[3]);
-                f(element[0], i) -= h1 + h2;
-                f(element[1], i) += h1;
-                f(element[2], i) += h2;
-            }
-        }
+        scalar energy = 0;
+        addElementTerms(copyi, energy, &force);
     }
 }
 
@@ -171,20 +202,7 @@ Foam::scalar Foam::fsi::bodyGroup::elasticEnergy() const
             energy += 0.5*shape_.springConstants()[springi]
                *sqr(springLength(springi, copyi) - relaxed);
         }
-        const volumeTerm& term = shape_.elementTerm();
-        forAll(shape_.elements(), elementi)
-        {
-            scalar squares = 0;
-            for
-            (
-                const scalar part
-              : toUnitDeterminant(shape_, elementi, positions_, copyi)
-            )
-            {
-                squares += sqr(part);
-            }
-            energy += 0.5*term.stiffness()*term.volumes()[elementi]*squares;
-        }
+        addElementTerms(copyi, energy, nullptr);
     }
     return energy;
 }

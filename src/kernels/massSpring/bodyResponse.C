@@ -10,36 +10,6 @@ namespace Foam
 namespace fsi
 {
 
-//- Enclosed area of a polygon whose points are p + factor*q
-struct quadraticArea
-{
-    //- area = constant + linear*factor + quadratic*factor^2 [m^2]
-    scalar constant = 0, linear = 0, quadratic = 0;
-
-    template<class Points, class Directions>
-    quadraticArea
-    (
-        const List<surfaceFace>& faces,
-        const Points& p,
-        const Directions& q
-    )
-    {
-        // Relative to the first point, against round-off
-        for (const surfaceFace& face : faces)
-        {
-            const label a = face[0], b = face[1];
-            const scalar pax = p(a, 0) - p(0, 0), pay = p(a, 1) - p(0, 1);
-            const scalar pbx = p(b, 0) - p(0, 0), pby = p(b, 1) - p(0, 1);
-            const scalar qax = q(a, 0) - q(0, 0), qay = q(a, 1) - q(0, 1);
-            const scalar qbx = q(b, 0) - q(0, 0), qby = q(b, 1) - q(0, 1);
-            constant += 0.5*(pax*pby - pay*pbx);
-            linear += 0.5*(pax*qby - pay*qbx + qax*pby - qay*pbx);
-            quadratic += 0.5*(qax*qby - qay*qbx);
-        }
-    }
-};
-
-
 //- Sum over the nodes and components of a copy
 static scalar product
 (
@@ -92,7 +62,7 @@ void Foam::fsi::bodyResponse::makeElasticRotation()
     );
     const Eigen::MatrixXd momenta = masses.asDiagonal()*rotation_;
     elasticRotation_ = momenta;
-    factor_->solve(elasticRotation_);
+    matrix_->solve(elasticRotation_);
 
     for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
     {
@@ -126,7 +96,7 @@ void Foam::fsi::bodyResponse::makeVolumeMode()
     }
 
     volumeMode_ = gradient;
-    factor_->solve(volumeMode_);
+    matrix_->solve(volumeMode_);
     volumeCompliance_.resize(positions_.cols()/2);
     for (label copyi = 0; copyi < volumeCompliance_.size(); ++copyi)
     {
@@ -163,7 +133,8 @@ void Foam::fsi::bodyResponse::makeBoundaryModes()
 
 Foam::fsi::bodyResponse::bodyResponse(const shapeTemplate& shape)
 :
-    shape_(shape)
+    shape_(shape),
+    matrix_(responseMatrix::New(shape))
 {}
 
 
@@ -172,17 +143,53 @@ Foam::fsi::bodyResponse::bodyResponse(const shapeTemplate& shape)
 void Foam::fsi::bodyResponse::prepare
 (
     const scalar dt,
-    const Eigen::MatrixXd& positions
+    const Eigen::MatrixXd& positions,
+    const List<List<bodyElement>>& triangles
 )
 {
     deltaT_ = dt;
-    factor_ = &shape_.factor(dt);
     positions_ = positions;
+    matrix_->prepare(dt, positions, triangles);
 
     makeRotation();
     makeElasticRotation();
     makeVolumeMode();
     makeBoundaryModes();
+}
+
+
+bool Foam::fsi::bodyResponse::preparedFor
+(
+    const scalar dt,
+    const Eigen::MatrixXd& positions
+) const
+{
+    return
+        dt == deltaT_
+     && positions.cols() == positions_.cols()
+     && positions == positions_;
+}
+
+
+void Foam::fsi::bodyResponse::respondFreely
+(
+    const Eigen::MatrixXd& force,
+    Eigen::MatrixXd& v
+) const
+{
+    v = force;
+    matrix_->solve(v);
+
+    for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
+    {
+        const scalar turn = product(rotation_, force, copyi);
+        const scalar elastic = product(elasticRotation_, force, copyi);
+
+        v.middleCols(2*copyi, 2) +=
+            turn*rotation_.middleCols(2*copyi, 2)
+          - elastic*elasticRotation_.middleCols(2*copyi, 2);
+    }
+    v *= deltaT_;
 }
 
 
@@ -192,22 +199,14 @@ void Foam::fsi::bodyResponse::respond
     Eigen::MatrixXd& v
 ) const
 {
-    v = force;
-    factor_->solve(v);
-
+    respondFreely(force, v);
     for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
     {
-        const scalar turn = product(rotation_, force, copyi);
-        const scalar elastic = product(elasticRotation_, force, copyi);
         const scalar swell =
             product(volumeMode_, force, copyi)/volumeCompliance_[copyi];
-
-        v.middleCols(2*copyi, 2) +=
-            turn*rotation_.middleCols(2*copyi, 2)
-          - elastic*elasticRotation_.middleCols(2*copyi, 2)
-          - swell*volumeMode_.middleCols(2*copyi, 2);
+        v.middleCols(2*copyi, 2) -=
+            (deltaT_*swell)*volumeMode_.middleCols(2*copyi, 2);
     }
-    v *= deltaT_;
 }
 
 
@@ -217,20 +216,8 @@ void Foam::fsi::bodyResponse::respondBoundary
     Eigen::MatrixXd& v
 ) const
 {
-    // Panels small enough for the product to work without the heap
-    const label width = 32;
-    const Eigen::MatrixXd& inverse = factor_->boundaryInverse();
-    const label n = positions_.cols();
-    v.resize(inverse.rows(), n);
-
-    for (label first = 0; first < n; first += width)
-    {
-        const label nColumns = min(width, n - first);
-        v.middleCols(first, nColumns).noalias() =
-            inverse*force.middleCols(first, nColumns);
-    }
-
-    for (label copyi = 0; copyi < n/2; ++copyi)
+    matrix_->solveBoundary(force, v);
+    for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
     {
         const auto modes = boundaryModes_.middleCols(6*copyi, 6);
         for (label mode = 0; mode < 3; ++mode)
@@ -246,49 +233,6 @@ void Foam::fsi::bodyResponse::respondBoundary
         }
     }
     v *= deltaT_;
-}
-
-
-void Foam::fsi::bodyResponse::constrainVolume
-(
-    const scalar dt,
-    Eigen::MatrixXd& v
-) const
-{
-    const label nB = shape_.nBoundaryNodes();
-    Eigen::MatrixXd end(nB, 2);
-
-    for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
-    {
-        auto mode = volumeMode_.middleCols(2*copyi, 2);
-        end =
-            positions_.middleCols(2*copyi, 2).topRows(nB)
-          + dt*v.middleCols(2*copyi, 2).topRows(nB);
-        const quadraticArea area(shape_.faces(), end, mode);
-
-        // Newton from the velocity as it is
-        const scalar excess = area.constant - shape_.referenceVolume();
-        scalar factor = 0;
-        for (label iteration = 0; iteration < 4; ++iteration)
-        {
-            factor -=
-                (excess + factor*(area.linear + factor*area.quadratic))
-               /(area.linear + 2*factor*area.quadratic);
-        }
-        v.middleCols(2*copyi, 2) += (factor/dt)*mode;
-    }
-}
-
-
-Foam::scalar Foam::fsi::bodyResponse::area
-(
-    const shapeTemplate& shape,
-    const Eigen::MatrixXd& positions,
-    const label copyi
-)
-{
-    const auto points = positions.middleCols(2*copyi, 2);
-    return quadraticArea(shape.faces(), points, points).constant;
 }
 
 

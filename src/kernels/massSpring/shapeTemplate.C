@@ -3,7 +3,6 @@
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
 #include "shape.H"
-#include "springCalibration.H"
 
 #include <algorithm>
 
@@ -30,6 +29,63 @@ static autoPtr<springLaw> newLaw(const dictionary& material, const scalar E)
 }
 
 
+//- The material of a membrane; null for an elastic body
+static autoPtr<membraneMaterial> newMembrane(const dictionary& material)
+{
+    return autoPtr<membraneMaterial>
+    (
+        membraneMaterial::chosen(material)
+      ? new membraneMaterial(material)
+      : nullptr
+    );
+}
+
+
+//- Springs of an elastic body lie on all edges, of a membrane on its boundary
+static edgeList newSprings(const shapeMesh& mesh, const bool membrane)
+{
+    if (!membrane)
+    {
+        return mesh.edges();
+    }
+    edgeList springs(mesh.faces.size());
+    forAll(springs, i)
+    {
+        springs[i] = edge(mesh.faces[i][0], mesh.faces[i][1]);
+    }
+    return springs;
+}
+
+
+//- Check the entries that go with the kind of material
+static void checkMaterial(const dictionary& dict, const bool membrane)
+{
+    if (!membrane)
+    {
+        checkKeys
+        (
+            dict.subDict("material"),
+            {
+                "type",
+                "density",
+                "E",
+                "springLaw",
+                "areaStiffness",
+                "calibration",
+                "nodeMass"
+            }
+        );
+    }
+    else if (dict.found("admm"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'admm' in dictionary " << dict.name()
+            << " has no meaning for a material of type membrane"
+            << exit(FatalIOError);
+    }
+}
+
+
 //- Mesh of the shape named in the dictionary
 static shapeMesh newMesh
 (
@@ -46,67 +102,6 @@ static shapeMesh newMesh
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::shapeTemplate::setGeometry()
-{
-    restLengths_.resize(springs_.size());
-    forAll(springs_, springi)
-    {
-        // As the solver computes lengths, so that a body at rest has no force
-        const vector d =
-            mesh_.points[springs_[springi].second()]
-          - mesh_.points[springs_[springi].first()];
-        restLengths_[springi] = std::sqrt(d.x()*d.x() + d.y()*d.y());
-    }
-
-    volumeTerm_.reset(new volumeTerm(mesh_, thickness_, areaStiffness_));
-    referenceVolume_ = sum(volumeTerm_->volumes())/thickness_;
-}
-
-
-void Foam::fsi::shapeTemplate::setMaterial()
-{
-    const word calibration
-    (
-        readChoice
-        (
-            materialDict_, "calibration", "patch", {"patch", "vanGelder"}
-        )
-    );
-    if (calibration == "patch")
-    {
-        springConstants_ = springCalibration::calibrated
-        (
-            mesh_, springs_, *volumeTerm_, thickness_, youngsModulus_
-        );
-    }
-    else
-    {
-        springConstants_ = youngsModulus_*springCalibration::vanGelder
-        (
-            mesh_, springs_, volumeTerm_->volumes()
-        );
-    }
-
-    const word nodeMass
-    (
-        readChoice(materialDict_, "nodeMass", "uniform", {"uniform", "area"})
-    );
-    nodeMasses_.resize(nNodes());
-    nodeMasses_ = nodeMass == "uniform" ? mass()/nNodes() : 0;
-    if (nodeMass == "area")
-    {
-        forAll(elements(), elementi)
-        {
-            for (label i = 0; i < 3; ++i)
-            {
-                nodeMasses_[elements()[elementi][i]] +=
-                    density_*volumeTerm_->volumes()[elementi]/3;
-            }
-        }
-    }
-}
-
 
 Eigen::SparseMatrix<double> Foam::fsi::shapeTemplate::matrix
 (
@@ -199,7 +194,11 @@ Foam::fsi::shapeTemplate::shapeTemplate
     nodeSpacing_(nodeSpacing),
     materialDict_(dict.subDict("material")),
     density_(readPositive(materialDict_, "density")),
-    youngsModulus_(readPositive(materialDict_, "E")),
+    membrane_(newMembrane(materialDict_)),
+    youngsModulus_
+    (
+        membrane_.valid() ? 0 : readPositive(materialDict_, "E")
+    ),
     areaStiffness_
     (
         readNonNegative(materialDict_, "areaStiffness", 10*youngsModulus_)
@@ -207,25 +206,22 @@ Foam::fsi::shapeTemplate::shapeTemplate
     law_(newLaw(materialDict_, youngsModulus_)),
     admm_(dict.subOrEmptyDict("admm")),
     mesh_(mesh),
-    springs_(mesh_.edges()),
+    springs_(newSprings(mesh_, membrane_.valid())),
     nFactorisations_(0)
 {
-    checkKeys
-    (
-        materialDict_,
-        {
-            "density",
-            "E",
-            "springLaw",
-            "areaStiffness",
-            "calibration",
-            "nodeMass"
-        }
-    );
+    checkMaterial(dict, membrane_.valid());
     setGeometry();
+    if (membrane_.valid())
+    {
+        setMembrane();
+    }
     if (newMaterial)
     {
-        setMaterial();
+        if (!membrane_.valid())
+        {
+            setElasticSprings();
+        }
+        setMasses();
     }
 }
 
@@ -257,6 +253,13 @@ const Foam::fsi::admmFactor& Foam::fsi::shapeTemplate::factor
         FatalErrorInFunction
             << "Time step " << dt << " s of shape " << name_
             << " must be > 0" << exit(FatalError);
+    }
+
+    if (membrane_.valid())
+    {
+        FatalErrorInFunction
+            << "Shape " << name_ << " is a membrane: its copies have matrices"
+            << " of their own" << exit(FatalError);
     }
 
     auto found = std::find_if

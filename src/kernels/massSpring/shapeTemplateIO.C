@@ -91,7 +91,10 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
     os.writeEntry("thickness", thickness_);
     os.writeEntry("nodeSpacing", nodeSpacing_);
     materialDict_.writeEntry("material", os);
-    admm_.write(os);
+    if (!membrane_.valid())
+    {
+        admm_.write(os);
+    }
     os.writeEntry("nBoundaryNodes", mesh_.nBoundary);
     mesh_.points.UList<point>::writeEntry("points", os);
     flatten(mesh_.faces).writeEntry("faces", os);

@@ -29,51 +29,6 @@ typedef CGAL::Constrained_Delaunay_triangulation_2
 > delaunay;
 
 
-//- Triangles between the points; the first ones are the closed boundary
-static List<bodyElement> triangulate
-(
-    const pointField& points,
-    const pointField& polygon
-)
-{
-    delaunay triangles;
-    std::vector<delaunay::Vertex_handle> vertices;
-    forAll(points, i)
-    {
-        vertices.push_back
-        (
-            triangles.insert(kernel::Point_2(points[i].x(), points[i].y()))
-        );
-        vertices.back()->info() = i;
-    }
-    forAll(polygon, i)
-    {
-        triangles.insert_constraint
-        (
-            vertices[i],
-            vertices[polygon.fcIndex(i)]
-        );
-    }
-
-    DynamicList<bodyElement> elements;
-    for (auto face : triangles.finite_face_handles())
-    {
-        bodyElement element(-1);
-        point middle(Zero);
-        for (label i = 0; i < 3; ++i)
-        {
-            element[i] = face->vertex(i)->info();
-            middle += points[element[i]]/3;
-        }
-        if (outlineTools::contains(polygon, middle))
-        {
-            elements.append(element);
-        }
-    }
-    return List<bodyElement>(std::move(elements));
-}
-
-
 //- Points of a triangular lattice inside the polygon, at least `clearance`
 //  from its sides. The shift is in parts of the lattice spacing.
 static pointField lattice
@@ -197,6 +152,50 @@ bool Foam::fsi::triangulation::isSimple(const pointField& polygon)
         cgalPolygon.push_back(kernel::Point_2(p.x(), p.y()));
     }
     return cgalPolygon.is_simple();
+}
+
+
+Foam::List<Foam::fsi::bodyElement> Foam::fsi::triangulation::triangulate
+(
+    const pointField& points,
+    const pointField& polygon
+)
+{
+    delaunay triangles;
+    std::vector<delaunay::Vertex_handle> vertices;
+    forAll(points, i)
+    {
+        vertices.push_back
+        (
+            triangles.insert(kernel::Point_2(points[i].x(), points[i].y()))
+        );
+        vertices.back()->info() = i;
+    }
+    forAll(polygon, i)
+    {
+        triangles.insert_constraint
+        (
+            vertices[i],
+            vertices[polygon.fcIndex(i)]
+        );
+    }
+
+    DynamicList<bodyElement> elements;
+    for (auto face : triangles.finite_face_handles())
+    {
+        bodyElement element(-1);
+        point middle(Zero);
+        for (label i = 0; i < 3; ++i)
+        {
+            element[i] = face->vertex(i)->info();
+            middle += points[element[i]]/3;
+        }
+        if (outlineTools::contains(polygon, middle))
+        {
+            elements.append(element);
+        }
+    }
+    return List<bodyElement>(std::move(elements));
 }
 
 

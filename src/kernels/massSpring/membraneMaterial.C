@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "membraneMaterial.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- The number in the entry restCurvature; false if it says `shape`
+static bool readCurvature(const dictionary& dict, scalar& curvature)
+{
+    const word key("restCurvature");
+    if (!dict.found(key))
+    {
+        return false;
+    }
+
+    const token value(dict.lookup(key));
+    if (value.isNumber())
+    {
+        curvature = value.number();
+        return true;
+    }
+    if (!value.isWord() || value.wordToken() != "shape")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name() << " is "
+            << value << " but must be a number [1/m] or shape"
+            << exit(FatalIOError);
+    }
+    return false;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::membraneMaterial::membraneMaterial(const dictionary& dict)
+:
+    stretchingModulus(readPositive(dict, "stretchingModulus")),
+    bendingModulus(readNonNegative(dict, "bendingModulus", 0)),
+    innerViscosity(readPositive(dict, "innerViscosity")),
+    shapeCurvature(true),
+    restCurvature(0)
+{
+    checkKeys
+    (
+        dict,
+        {
+            "type",
+            "density",
+            "stretchingModulus",
+            "bendingModulus",
+            "innerViscosity",
+            "restCurvature"
+        }
+    );
+    shapeCurvature = !readCurvature(dict, restCurvature);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::membraneMaterial::chosen(const dictionary& dict)
+{
+    return
+        readChoice(dict, "type", "elastic", {"elastic", "membrane"})
+     == "membrane";
+}
+
+
+// ************************************************************************* //
