@@ -92,4 +92,5 @@ def main():
                                       for column in cell])
 
 
-main()
+if __name__ == "__main__":
+    main()

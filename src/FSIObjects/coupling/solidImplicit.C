@@ -78,6 +78,12 @@ void Foam::fsi::solidImplicit::begin
     gradient_ = system_.fluid.openGradient(p);
     system_.walls.gradientForce(gradient_(), gradientForce_);
     gradientForce_ *= system_.fluidDensity;
+    addTransposedForce
+    (
+        system_,
+        system_.objects.surfaces().velocities(),
+        gradientForce_
+    );
     system_.fluid.extendGradient(gradient_.ref());
 
     vectorField nodal;

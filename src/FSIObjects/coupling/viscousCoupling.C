@@ -111,6 +111,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         responses_[groupi]->update
         (
             system_.deltaT(),
+            viscosity*system_.grid.thickness(),
             {first, first + group.size()},
             predicted[groupi]
         );
@@ -283,6 +284,25 @@ void Foam::fsi::addLinkForce
     {
         const vector slip(U[link.cell] - link.place.interpolate(v));
         link.place.spread(force, viscosity*link.conductance*slip);
+    }
+}
+
+
+void Foam::fsi::addTransposedForce
+(
+    const fsiSystem& system,
+    const vectorField& v,
+    vectorField& force
+)
+{
+    const scalar viscosity =
+        system.fluidDensity*system.viscosity*system.grid.thickness();
+    for (const surfaceFace& face : system.objects.surfaces().faces())
+    {
+        const vector d = v[face[1]] - v[face[0]];
+        const vector half = 0.5*viscosity*vector(-d.y(), d.x(), 0);
+        force[face[0]] += half;
+        force[face[1]] += half;
     }
 }
 

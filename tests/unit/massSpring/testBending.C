@@ -49,7 +49,7 @@ scalar bendingEnergy(const scalar a, const scalar b)
 
 
 //- Force per length of a membrane with the moment K_b c and no tension, along
-//  the outward normal and the tangent: K_b (c'', c c'), primes along the ellipse
+//  the outward normal and the tangent: K_b (c'', c c'), primes along it
 vector2D bendingForce(const scalar a, const scalar b, const scalar t)
 {
     const scalar e = 1e-3;
