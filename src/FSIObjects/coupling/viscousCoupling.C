@@ -149,6 +149,27 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
 }
 
 
+void Foam::fsi::viscousCoupling::addTurnForce
+(
+    const fsiSystem::groupNodal& v,
+    vectorField& force
+) const
+{
+    fsiSystem::groupNodal turning(v.size());
+    forAll(v, groupi)
+    {
+        turning[groupi].setZero(v[groupi].rows(), v[groupi].cols());
+        if (responses_[groupi])
+        {
+            responses_[groupi]->turnForce(v[groupi], turning[groupi]);
+        }
+    }
+    vectorField nodal;
+    system_.fromBoundary(turning, nodal);
+    force += nodal;
+}
+
+
 void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
 {
     const direction nDims = system_.grid.nDims();
@@ -250,6 +271,7 @@ void Foam::fsi::viscousCoupling::solve
     force = Zero;
     addLinkForce(system_, U, nodalVelocity_, force);
     sumOverRanks(force);
+    addTurnForce(boundary, force);
 
     velocity = predicted;
     system_.objects.toGroups(force, groupForce_);
@@ -265,44 +287,6 @@ void Foam::fsi::viscousCoupling::solve
             );
             velocity[groupi] += change;
         }
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::addLinkForce
-(
-    const fsiSystem& system,
-    const volVectorField& U,
-    const vectorField& v,
-    vectorField& force
-)
-{
-    const scalar viscosity = system.fluidDensity*system.viscosity;
-    for (const wallLink& link : system.geometry.wallLinks())
-    {
-        const vector slip(U[link.cell] - link.place.interpolate(v));
-        link.place.spread(force, viscosity*link.conductance*slip);
-    }
-}
-
-
-void Foam::fsi::addTransposedForce
-(
-    const fsiSystem& system,
-    const vectorField& v,
-    vectorField& force
-)
-{
-    const scalar viscosity =
-        system.fluidDensity*system.viscosity*system.grid.thickness();
-    for (const surfaceFace& face : system.objects.surfaces().faces())
-    {
-        const vector d = v[face[1]] - v[face[0]];
-        const vector half = 0.5*viscosity*vector(-d.y(), d.x(), 0);
-        force[face[0]] += half;
-        force[face[1]] += half;
     }
 }
 

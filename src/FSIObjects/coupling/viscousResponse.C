@@ -13,7 +13,7 @@ Foam::fsi::viscousResponse::viscousResponse(const bodyGroup& group)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Eigen::Vector2d Foam::fsi::viscousResponse::project
+Eigen::Vector3d Foam::fsi::viscousResponse::project
 (
     const Eigen::MatrixXd& x,
     const label copyi
@@ -21,13 +21,46 @@ Eigen::Vector2d Foam::fsi::viscousResponse::project
 {
     const label nDims = group_.shape().nDims();
     const auto columns = x.middleCols(nDims*copyi, nDims);
-    Eigen::Vector2d amount;
-    for (label mode = 0; mode < 2; ++mode)
+    Eigen::Vector3d amount;
+    for (label mode = 0; mode < nModes; ++mode)
     {
         amount[mode] = turned_[mode].middleCols(nDims*copyi, nDims)
            .cwiseProduct(columns).sum();
     }
     return amount;
+}
+
+
+void Foam::fsi::viscousResponse::makeTurnDamping(const scalar viscosity)
+{
+    const label nDims = group_.shape().nDims();
+    const label nB = group_.shape().nBoundaryNodes();
+    const Eigen::MatrixXd r = group_.response().rotationModes().topRows(nB);
+
+    // B v, see addTransposedForce()
+    Eigen::MatrixXd& g = turned_[2];
+    g.setZero(r.rows(), r.cols());
+    for (const surfaceFace& face : group_.shape().faces())
+    {
+        for (label copyi = 0; copyi < group_.size(); ++copyi)
+        {
+            const label x = nDims*copyi, y = x + 1;
+            const scalar fx = -0.5*viscosity*(r(face[1], y) - r(face[0], y));
+            const scalar fy = 0.5*viscosity*(r(face[1], x) - r(face[0], x));
+            for (label i = 0; i < 2; ++i)
+            {
+                g(face[i], x) += fx;
+                g(face[i], y) += fy;
+            }
+        }
+    }
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        auto gc = g.middleCols(nDims*copyi, nDims);
+        const scalar damping =
+            -gc.cwiseProduct(r.middleCols(nDims*copyi, nDims)).sum();
+        gc /= std::sqrt(damping);
+    }
 }
 
 
@@ -49,11 +82,13 @@ void Foam::fsi::viscousResponse::makeModes()
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
         Eigen::Matrix2d E;
-        E.col(0) = project(modes[0], copyi);
-        E.col(1) = project(modes[1], copyi);
+        E.col(0) = project(modes[0], copyi).head<2>();
+        E.col(1) = project(modes[1], copyi).head<2>();
         E(0, 0) += 1;
         E(1, 1) -= 1;
-        reduced_[copyi] = E.inverse();
+        reduced_[copyi].setZero();
+        reduced_[copyi].topLeftCorner<2, 2>() = E.inverse();
+        reduced_[copyi](2, 2) = -deltaT_;
     }
 }
 
@@ -143,14 +178,18 @@ void Foam::fsi::viscousResponse::solveBlocks
 
 void Foam::fsi::viscousResponse::makeWoodbury()
 {
-    solveBlocks(turned_[0], solved_[0]);
-    solveBlocks(turned_[1], solved_[1]);
+    for (label mode = 0; mode < nModes; ++mode)
+    {
+        solveBlocks(turned_[mode], solved_[mode]);
+    }
     woodbury_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        Eigen::Matrix2d inverse(deltaT_*reduced_[copyi].inverse());
-        inverse.col(0) -= project(solved_[0], copyi);
-        inverse.col(1) -= project(solved_[1], copyi);
+        Eigen::Matrix3d inverse(deltaT_*reduced_[copyi].inverse());
+        for (label mode = 0; mode < nModes; ++mode)
+        {
+            inverse.col(mode) -= project(solved_[mode], copyi);
+        }
         woodbury_[copyi] = inverse.inverse();
     }
 }
@@ -161,12 +200,25 @@ void Foam::fsi::viscousResponse::makeWoodbury()
 void Foam::fsi::viscousResponse::update
 (
     const scalar dt,
+    const scalar viscosity,
     const std::vector<std::vector<copyLink>>& links,
     const Eigen::MatrixXd& predicted
 )
 {
     const label nDims = group_.shape().nDims();
     deltaT_ = dt;
+
+    makeTurnDamping(viscosity);
+    if (group_.shape().membrane())
+    {
+        dense_.resize(group_.size());
+        source_.resize(turned_[2].rows(), turned_[2].cols());
+        for (label copyi = 0; copyi < group_.size(); ++copyi)
+        {
+            updateMembrane(copyi, links[copyi], predicted);
+        }
+        return;
+    }
 
     makeModes();
     factors_.resize
@@ -179,13 +231,15 @@ void Foam::fsi::viscousResponse::update
     }
     makeWoodbury();
 
-    // K v~ = S v~ - Y E Y^T v~
+    // K v~ = S v~ - Y E Y^T v~, and dt g (g.v^n)
     const Eigen::MatrixXd start(predicted.topRows(boundary().size()));
+    const Eigen::MatrixXd old(group_.velocities().topRows(start.rows()));
     source_ = boundary().matrix()*start;
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        const Eigen::Vector2d amount(reduced_[copyi]*project(start, copyi));
-        for (label mode = 0; mode < 2; ++mode)
+        Eigen::Vector3d amount(reduced_[copyi]*project(start, copyi));
+        amount[2] = -dt*project(old, copyi)[2];
+        for (label mode = 0; mode < nModes; ++mode)
         {
             source_.middleCols(nDims*copyi, nDims) -=
                 amount[mode]*turned_[mode].middleCols(nDims*copyi, nDims);
@@ -203,15 +257,39 @@ void Foam::fsi::viscousResponse::solve
 {
     const label nDims = group_.shape().nDims();
     f += source_;
+    if (group_.shape().membrane())
+    {
+        solveMembranes(f, v);
+        return;
+    }
     solveBlocks(f, v);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        const Eigen::Vector2d amount(woodbury_[copyi]*project(v, copyi));
-        for (label mode = 0; mode < 2; ++mode)
+        const Eigen::Vector3d amount(woodbury_[copyi]*project(v, copyi));
+        for (label mode = 0; mode < nModes; ++mode)
         {
             v.middleCols(nDims*copyi, nDims) +=
                 amount[mode]*solved_[mode].middleCols(nDims*copyi, nDims);
         }
+    }
+}
+
+
+void Foam::fsi::viscousResponse::turnForce
+(
+    const Eigen::MatrixXd& v,
+    Eigen::MatrixXd& f
+) const
+{
+    const label nDims = group_.shape().nDims();
+    const Eigen::MatrixXd change = v - group_.velocities().topRows(v.rows());
+    f.resize(v.rows(), v.cols());
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        const auto g = turned_[2].middleCols(nDims*copyi, nDims);
+        const scalar turn =
+            g.cwiseProduct(change.middleCols(nDims*copyi, nDims)).sum();
+        f.middleCols(nDims*copyi, nDims) = -turn*g;
     }
 }
 
