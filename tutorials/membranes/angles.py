@@ -25,7 +25,7 @@ def unwrapped(angles, period):
     result = [angles[0]]
     for angle in angles[1:]:
         turns = round((result[-1] - angle) / period)
-        result.append(angle + turns * period)
+        result.append(angle + turns*period)
     return [math.degrees(angle) for angle in result]
 
 
@@ -54,26 +54,32 @@ def read(path):
     }
 
 
-def slope(times, values):
-    """Mean rate of change over the second half [1/s]."""
-    half = len(times) // 2
-    return (values[-1] - values[half]) / (times[-1] - times[half])
+def turning_time(times, values, turn):
+    """Time of the last turn by so many degrees clockwise; nan if there was
+    none [s]."""
+    wanted = values[-1] + turn
+    for i in range(len(times) - 1, 0, -1):
+        if values[i - 1] >= wanted > values[i]:
+            part = (values[i - 1] - wanted)/(values[i - 1] - values[i])
+            start = times[i - 1] + part*(times[i] - times[i - 1])
+            return times[-1] - start
+    return math.nan
 
 
 def report(name, times, inclination, phase):
     """Print what the cell does, and what theory says."""
     strength, tread = theory(RATIO[name])
     if strength > 1:
-        angle = math.degrees(0.5 * math.acos(1 / strength))
-        period = 2 * math.pi / (SHEAR * tread / strength)
+        angle = math.degrees(0.5*math.acos(1/strength))
+        period = 2*math.pi/(SHEAR*tread/strength)
         print(f"{name}: inclination {inclination[-1]:.2f} degrees "
-              f"(theory {angle:.2f}), tank-treading period "
-              f"{360 / abs(slope(times, phase)):.2f} s "
+              f"(theory {angle:.2f}), the membrane's turn "
+              f"{turning_time(times, phase, 360):.2f} s "
               f"(theory {period:.2f})")
     else:
-        period = 2 * math.pi / (SHEAR * math.sqrt(1 - strength ** 2))
-        print(f"{name}: tumbles, half a turn in "
-              f"{180 / abs(slope(times, inclination)):.2f} s "
+        period = 2*math.pi/(SHEAR*math.sqrt(1 - strength**2))
+        print(f"{name}: tumbles, half a turn "
+              f"{turning_time(times, inclination, 180):.2f} s "
               f"(theory {period:.2f})")
 
 

@@ -172,6 +172,16 @@ TEST(ObjectRecord, samplesGeometryAndMotion)
     EXPECT_NEAR(disc.area, constant::mathematical::pi, 0.1);
     EXPECT_NEAR(disc.perimeter, constant::mathematical::twoPi, 0.1);
     EXPECT_EQ(records[4].shape, "ellipse");
+
+    // One ellipse lies along x, the other is turned by a quarter
+    EXPECT_NEAR(records[3].inclination, 0, 1e-3);
+    EXPECT_NEAR
+    (
+        mag(records[4].inclination), 0.5*constant::mathematical::pi, 1e-3
+    );
+    const scalar turn = records[4].phase - records[3].phase;
+    EXPECT_NEAR(std::cos(turn), 0, 1e-12);
+    EXPECT_NEAR(std::sin(turn), 1, 1e-12);
     EXPECT_NEAR(mag(records[4].velocity - vector(0, 2, 0)), 0, 1e-12);
 }
 
