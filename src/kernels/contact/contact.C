@@ -55,7 +55,7 @@ static contactScales readScales
 )
 {
     checkKeys(dict, {"range", "margin", "minimumGap", "search", "law"});
-    return {spacing, readPositive(dict, "range", 3)*spacing, youngsModulus};
+    return {spacing, contact::readRange(dict, spacing), youngsModulus};
 }
 
 } // End namespace fsi
@@ -131,32 +131,67 @@ void Foam::fsi::contact::count(const surfaceSet& surfaces)
 }
 
 
+Foam::fsi::contactProblem Foam::fsi::contact::problem
+(
+    const surfaceSet& surfaces,
+    const contactBodies& bodies,
+    const scalar dt
+) const
+{
+    return {surfaces, bodies, found_, scales_.range, dt};
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::contact::readRange
+(
+    const dictionary& dict,
+    const scalar spacing
+)
+{
+    return readPositive(dict, "range", 3)*spacing;
+}
+
+
+const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
+(
+    const surfaceSet& surfaces,
+    const contactBodies& bodies,
+    const UList<contactWall>& walls,
+    const UList<medialAxisPoint>& medialAxis
+)
+{
+    if (!searched(surfaces))
+    {
+        search_->find
+        (
+            surfaces, walls, medialAxis, scales_.range + margin_, found_
+        );
+        searched_ = surfaces.points();
+    }
+    count(surfaces);
+    statistics_.potentialEnergy =
+        law_->potentialEnergy(problem(surfaces, bodies, GREAT));
+    return statistics_;
+}
+
 
 const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 (
     const surfaceSet& surfaces,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
-    const UList<contactMedialPoint>& medialAxis,
+    const UList<medialAxisPoint>& medialAxis,
     const scalar dt,
     vectorField& force
 )
 {
-    search_->find
-    (
-        surfaces, walls, medialAxis, scales_.range + margin_, found_
-    );
-    count(surfaces);
+    measure(surfaces, bodies, walls, medialAxis);
 
     force.setSize(surfaces.points().size());
     force = Zero;
-    law_->addForces
-    (
-        contactProblem{surfaces, bodies, found_, scales_.range, dt},
-        force,
-        statistics_
-    );
+    law_->addForces(problem(surfaces, bodies, dt), force, statistics_);
     return statistics_;
 }
 
@@ -180,7 +215,7 @@ Foam::label Foam::fsi::contact::limit
     (
         moved_,
         walls,
-        UList<contactMedialPoint>(),
+        UList<medialAxisPoint>(),
         minimumGap_ + margin_,
         closing_
     );

@@ -160,6 +160,20 @@ Foam::scalar Foam::fsi::potentialContact::pressure(const scalar gap) const
 }
 
 
+Foam::scalar Foam::fsi::potentialContact::potentialEnergy
+(
+    const contactProblem& problem
+)
+{
+    scalar sum = 0;
+    for (const contactPair& pair : problem.found.pairs)
+    {
+        sum += problem.area(pair)*energy(pair.gap);
+    }
+    return sum;
+}
+
+
 void Foam::fsi::potentialContact::addForces
 (
     const contactProblem& problem,
@@ -167,10 +181,6 @@ void Foam::fsi::potentialContact::addForces
     contactStatistics& statistics
 )
 {
-    for (const contactPair& pair : problem.found.pairs)
-    {
-        statistics.potentialEnergy += problem.area(pair)*energy(pair.gap);
-    }
     statistics.sweeps = solver_.solve(problem, *this);
     solver_.addForces(problem, force);
 }

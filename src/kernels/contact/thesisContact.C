@@ -96,14 +96,7 @@ Foam::scalar Foam::fsi::thesisContact::energy
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::thesisContact::addForces
-(
-    const contactProblem& problem,
-    vectorField& force,
-    contactStatistics& statistics
-)
+void Foam::fsi::thesisContact::repelAll(const contactProblem& problem)
 {
     const pointField& x = problem.surfaces.points();
     const scalarField& areas = problem.bodies.areas();
@@ -127,16 +120,41 @@ void Foam::fsi::thesisContact::addForces
             repel(pair.node, areas[pair.node], 2*pair.gap*pair.normal);
         }
     }
+}
 
-    // Energy of the springs, with the weights 1/n_c of the forces
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::thesisContact::potentialEnergy
+(
+    const contactProblem& problem
+)
+{
+    const pointField& x = problem.surfaces.points();
+    const scalarField& areas = problem.bodies.areas();
+    repelAll(problem);
+
+    scalar sum = 0;
     for (const labelPair& c : collisions_)
     {
         const scalar d = mag(x[c.first()] - x[c.second()]);
-        statistics.potentialEnergy +=
-            energy(areas[c.first()], d)/count_[c.first()]
-          + energy(areas[c.second()], d)/count_[c.second()];
+        for (const label nodei : c)
+        {
+            sum += energy(areas[nodei], d)/count_[nodei];
+        }
     }
+    return sum;
+}
 
+
+void Foam::fsi::thesisContact::addForces
+(
+    const contactProblem& problem,
+    vectorField& force,
+    contactStatistics&
+)
+{
+    repelAll(problem);
     forAll(count_, nodei)
     {
         if (count_[nodei] == 0)

@@ -90,7 +90,7 @@ void Foam::fsi::shapeTemplate::setMaterial()
 
     const word nodeMass
     (
-        readChoice(materialDict_, "nodeMass", "uniform", {"uniform", "area"})
+        readChoice(materialDict_, "nodeMass", "area", {"area", "uniform"})
     );
     nodeMasses_.resize(nNodes());
     nodeMasses_ = nodeMass == "uniform" ? mass()/nNodes() : 0;

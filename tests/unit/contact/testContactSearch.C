@@ -83,7 +83,7 @@ TEST(ContactSearch, medialAxis)
         x += vector(1.15*side, 0, 0);
         surfaces.append(x, polygonFaces(60));
     }
-    List<contactMedialPoint> axis;
+    List<medialAxisPoint> axis;
     for (label i = -1; i <= 1; ++i)
     {
         axis.append({point(0, 0.1*i, 0), FixedList<label, 2>({0, 1})});
@@ -114,7 +114,7 @@ TEST(ContactSearch, medialAxis)
     }
     EXPECT_EQ(smallest[0], smallest[1]);
 
-    axis[0].objects[1] = 2;
+    axis[0].object[1] = 2;
     EXPECT_THROW
     (
         searchOf("type medialAxis;")->find

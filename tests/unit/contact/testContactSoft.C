@@ -97,7 +97,11 @@ TEST(ContactSoft, responseIsThatOfTheGroup)
     c.setSurfaces(c.group.velocities());
     c.surfaces.velocities() = Zero;
     c.bodies.reset(c.surfaces);
-    c.response.set(c.surfaces, c.group.objectIds(), dt, false, c.bodies);
+    c.response.setNodes(c.surfaces, c.group.objectIds(), c.bodies);
+    c.response.setResponse
+    (
+        c.surfaces, c.group.objectIds(), dt, false, c.bodies
+    );
 
     contactPair pair;
     pair.node = 5;
