@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads what fsiPisoFoam wrote: tables, fields, and the state of the objects."""
+"""Reads what fsiPisoFoam wrote: tables, fields, the state of the objects."""
 
 import csv
 import glob

@@ -42,7 +42,7 @@ int main(int argc, char *argv[])
 {
     argList::addNote("Check the objects of a case at its written times");
     argList::noParallel();
-    timeSelector::addOptions(false, true);
+    timeSelector::addOptions(false);
     #include "addRegionOption.H"
     argList::addOption
     (
@@ -78,7 +78,9 @@ int main(int argc, char *argv[])
     }
     Info<< nl << (nFaults ? "Objects are not sound: " : "Objects are sound: ")
         << nFaults << " faults in " << times.size() << " times" << nl << endl;
-    return nFaults ? 1 : 0;
+    // The end of argList would make it 0
+    UPstream::exit(nFaults ? 1 : 0);
+    return 0;
 }
 
 

@@ -182,7 +182,8 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
         system.properties.subOrEmptyDict("contact"),
         system.grid.nDims(),
         system.grid.spacing(),
-        leastModulus(system.objects)
+        leastModulus(system.objects),
+        system.fluidDensity*system.viscosity
     ),
     walls_(findWalls(system.grid.mesh())),
     nLimited_(0)

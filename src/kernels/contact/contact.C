@@ -30,16 +30,10 @@ public:
         minimum_(minimum)
     {}
 
-    virtual scalar impulse
-    (
-        const scalar,
-        const scalar gap,
-        const scalar u,
-        const scalar compliance,
-        const scalar dt
-    ) const
+    virtual scalar impulse(const contactState& pair) const
     {
-        return max(min((minimum_ - gap)/dt, 0.0) - u, 0.0)/compliance;
+        const scalar least = min((minimum_ - pair.gap)/pair.dt, 0.0);
+        return max(least - pair.velocity, 0.0)/pair.compliance;
     }
 };
 
@@ -51,11 +45,17 @@ static contactScales readScales
 (
     const dictionary& dict,
     const scalar spacing,
-    const scalar youngsModulus
+    const scalar youngsModulus,
+    const scalar viscosity
 )
 {
-    checkKeys(dict, {"range", "margin", "minimumGap", "search", "law"});
-    return {spacing, contact::readRange(dict, spacing), youngsModulus};
+    checkKeys
+    (
+        dict,
+        {"range", "margin", "minimumGap", "search", "law", "lubrication"}
+    );
+    const scalar range = contact::readRange(dict, spacing);
+    return {spacing, range, youngsModulus, viscosity};
 }
 
 } // End namespace fsi
@@ -69,18 +69,29 @@ Foam::fsi::contact::contact
     const dictionary& dict,
     const direction nDims,
     const scalar spacing,
-    const scalar youngsModulus
+    const scalar youngsModulus,
+    const scalar viscosity
 )
 :
-    scales_(readScales(dict, spacing, youngsModulus)),
+    scales_(readScales(dict, spacing, youngsModulus, viscosity)),
     margin_(readNonNegative(dict, "margin", 1)*spacing),
     minimumGap_(readPositive(dict, "minimumGap", 0.1)*spacing),
     search_(contactSearch::New(dict.subOrEmptyDict("search"))),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
+    film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
     limiter_(dictionary()),
     limitSearch_(contactSearch::New(dictionary())),
     moved_(nDims)
-{}
+{
+    if (film_->active() && !law_->takesLubrication())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The law of dictionary " << dict.name() << " is '"
+            << law_->type() << "', which knows no lubrication (entry"
+            << " 'lubrication'); laws derived from potentialContact do:"
+            << " elastic, Morse, LennardJones" << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -131,6 +142,24 @@ void Foam::fsi::contact::count(const surfaceSet& surfaces)
 }
 
 
+void Foam::fsi::contact::setStretches
+(
+    const surfaceSet& surfaces,
+    const contactBodies& bodies
+)
+{
+    for (contactPair& pair : found_.pairs)
+    {
+        const label own = surfaces.pointObject()[pair.node];
+        if (pair.other == own)
+        {
+            const scalar rest = bodies.restDistance(surfaces, pair);
+            pair.stretch = max(scales_.range/max(rest, VSMALL), 1.0);
+        }
+    }
+}
+
+
 Foam::fsi::contactProblem Foam::fsi::contact::problem
 (
     const surfaceSet& surfaces,
@@ -138,7 +167,7 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
     const scalar dt
 ) const
 {
-    return {surfaces, bodies, found_, scales_.range, dt};
+    return {surfaces, bodies, found_, film_(), scales_.range, dt};
 }
 
 
@@ -168,6 +197,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
         (
             surfaces, walls, medialAxis, scales_.range + margin_, found_
         );
+        setStretches(surfaces, bodies);
         searched_ = surfaces.points();
     }
     count(surfaces);
@@ -189,6 +219,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 {
     measure(surfaces, bodies, walls, medialAxis);
 
+    film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
     law_->addForces(problem(surfaces, bodies, dt), force, statistics_);
@@ -232,7 +263,7 @@ Foam::label Foam::fsi::contact::limit
     // Their gaps at the start of the step, along the same normals
     const contactProblem problem
     {
-        moved_, bodies, closing_, minimumGap_, dt
+        moved_, bodies, closing_, noFilm_, minimumGap_, dt
     };
     for (contactPair& pair : closing_.pairs)
     {

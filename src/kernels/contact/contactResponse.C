@@ -4,59 +4,80 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::contactResponse::compliance
+void Foam::fsi::contactResponse::setShares(const label pairi)
+{
+    const contactPair& pair = pairs_[pairi];
+    const vector& n = pair.normal;
+    const label nModes = (*bodies_)[own(pair)].nModes;
+    for (label k = 0; k < nModes; ++k)
+    {
+        nodeShares_[pairi][k] = bodies_->mode(pair.node, k) & n;
+    }
+    if (pair.face < 0)
+    {
+        return;
+    }
+
+    const surfaceFace& f = surfaces_->faces()[pair.face];
+    const label nOther = (*bodies_)[pair.other].nModes;
+    for (label k = 0; k < nOther; ++k)
+    {
+        scalar share = 0;
+        for (label i = 0; i < surfaces_->nNodes(); ++i)
+        {
+            share -= pair.weights[i]*(bodies_->mode(f[i], k) & n);
+        }
+        otherShares_[pairi][k] = share;
+    }
+}
+
+
+Foam::scalar Foam::fsi::contactResponse::inverse
 (
     const label objecti,
     const label i,
-    const vector& n,
-    const label j,
-    const vector& m
+    const label j
 ) const
 {
-    const contactBodies::body& b = (*bodies_)[objecti];
+    const Eigen::MatrixXd* B = (*bodies_)[objecti].inverse;
     const label start = surfaces_->pointStart()[objecti];
-
-    scalar sum = b.inverse ? (*b.inverse)(i - start, j - start)*(n & m) : 0;
-    for (label k = 0; k < b.nModes; ++k)
-    {
-        sum +=
-            b.coefficients[k]
-           *(bodies_->mode(i, k) & n)
-           *(bodies_->mode(j, k) & m);
-    }
-    return sum;
+    return B ? (*B)(i - start, j - start) : 0;
 }
 
 
 void Foam::fsi::contactResponse::addImpulse
 (
     const label objecti,
-    const label nNodes,
-    const label* nodes,
-    const scalar* weights,
+    const label nodei,
     const vector& impulse
 )
 {
-    const contactBodies::body& b = (*bodies_)[objecti];
-    const label start = surfaces_->pointStart()[objecti];
-
-    for (label n = 0; n < nNodes; ++n)
+    const Eigen::MatrixXd* B = (*bodies_)[objecti].inverse;
+    if (!B)
     {
-        const vector share(weights[n]*impulse);
-        for (label k = 0; k < b.nModes; ++k)
-        {
-            amplitudes_[objecti][k] +=
-                b.coefficients[k]*(bodies_->mode(nodes[n], k) & share);
-        }
-        if (b.inverse && weights[n] != 0)
-        {
-            const double* column = b.inverse->col(nodes[n] - start).data();
-            vector* v = &velocities_[start];
-            for (label i = 0; i < b.inverse->rows(); ++i)
-            {
-                v[i] += column[i]*share;
-            }
-        }
+        return;
+    }
+    const label start = surfaces_->pointStart()[objecti];
+    const double* column = B->col(nodei - start).data();
+    vector* v = &velocities_[start];
+    for (label i = 0; i < B->rows(); ++i)
+    {
+        v[i] += column[i]*impulse;
+    }
+}
+
+
+void Foam::fsi::contactResponse::addModes
+(
+    const label objecti,
+    const modeValues& shares,
+    const scalar impulse
+)
+{
+    const contactBodies::body& b = (*bodies_)[objecti];
+    for (label k = 0; k < b.nModes; ++k)
+    {
+        amplitudes_[objecti][k] += b.coefficients[k]*shares[k]*impulse;
     }
 }
 
@@ -66,25 +87,43 @@ void Foam::fsi::contactResponse::addImpulse
 void Foam::fsi::contactResponse::reset
 (
     const surfaceSet& surfaces,
-    const contactBodies& bodies
+    const contactBodies& bodies,
+    const UList<contactPair>& pairs
 )
 {
     surfaces_ = &surfaces;
     bodies_ = &bodies;
+    pairs_ = pairs.cdata();
     velocities_ = surfaces.velocities();
     amplitudes_.setSize(surfaces.size());
-    amplitudes_ = FixedList<scalar, contactBodies::maxModes>(0.0);
+    amplitudes_ = modeValues(0.0);
+
+    if (nodeShares_.size() < pairs.size())
+    {
+        nodeShares_.setSize(2*pairs.size());
+        otherShares_.setSize(2*pairs.size());
+    }
+    forAll(pairs, pairi)
+    {
+        setShares(pairi);
+    }
 }
 
 
-Foam::scalar Foam::fsi::contactResponse::compliance
-(
-    const contactPair& pair
-) const
+Foam::scalar Foam::fsi::contactResponse::compliance(const label pairi) const
 {
-    const vector& n = pair.normal;
-    const label own = surfaces_->pointObject()[pair.node];
-    scalar sum = compliance(own, pair.node, n, pair.node, n);
+    const contactPair& pair = pairs_[pairi];
+    const label object = own(pair);
+    const contactBodies::body& b = (*bodies_)[object];
+    const bool self = pair.face >= 0 && pair.other == object;
+
+    scalar sum = inverse(object, pair.node, pair.node);
+    for (label k = 0; k < b.nModes; ++k)
+    {
+        const scalar share =
+            nodeShares_[pairi][k] + (self ? otherShares_[pairi][k] : 0);
+        sum += b.coefficients[k]*sqr(share);
+    }
     if (pair.face < 0)
     {
         return sum;
@@ -96,12 +135,14 @@ Foam::scalar Foam::fsi::contactResponse::compliance
         const scalar wi = pair.weights[i];
         for (label j = 0; j < surfaces_->nNodes(); ++j)
         {
-            sum += wi*pair.weights[j]*compliance(pair.other, f[i], n, f[j], n);
+            sum += wi*pair.weights[j]*inverse(pair.other, f[i], f[j]);
         }
-        if (pair.other == own)
-        {
-            sum -= 2*wi*compliance(own, pair.node, n, f[i], n);
-        }
+        sum -= self ? 2*wi*inverse(object, pair.node, f[i]) : 0;
+    }
+    const contactBodies::body& other = (*bodies_)[pair.other];
+    for (label k = 0; k < other.nModes && !self; ++k)
+    {
+        sum += other.coefficients[k]*sqr(otherShares_[pairi][k]);
     }
     return sum;
 }
@@ -109,26 +150,26 @@ Foam::scalar Foam::fsi::contactResponse::compliance
 
 void Foam::fsi::contactResponse::addImpulse
 (
-    const contactPair& pair,
+    const label pairi,
     const scalar impulse
 )
 {
+    const contactPair& pair = pairs_[pairi];
     const vector j(impulse*pair.normal);
-    const scalar one = 1;
-    addImpulse
-    (
-        surfaces_->pointObject()[pair.node], 1, &pair.node, &one, j
-    );
+
+    addImpulse(own(pair), pair.node, j);
+    addModes(own(pair), nodeShares_[pairi], impulse);
     if (pair.face >= 0)
     {
-        addImpulse
-        (
-            pair.other,
-            surfaces_->nNodes(),
-            surfaces_->faces()[pair.face].cdata(),
-            pair.weights.cdata(),
-            -j
-        );
+        const surfaceFace& f = surfaces_->faces()[pair.face];
+        for (label i = 0; i < surfaces_->nNodes(); ++i)
+        {
+            if (pair.weights[i] != 0)
+            {
+                addImpulse(pair.other, f[i], -pair.weights[i]*j);
+            }
+        }
+        addModes(pair.other, otherShares_[pairi], impulse);
     }
 }
 

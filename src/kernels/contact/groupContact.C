@@ -27,11 +27,12 @@ static pointField boundaryPoints(const shapeTemplate& shape)
 Foam::fsi::groupContact::groupContact(const bodyGroup& group)
 :
     group_(group),
+    rest_(boundaryPoints(group.shape())),
     areas_
     (
         contactBodies::nodeAreas
         (
-            boundaryPoints(group.shape()),
+            rest_,
             group.shape().faces(),
             group.shape().nDims(),
             group.shape().thickness()
@@ -75,6 +76,7 @@ void Foam::fsi::groupContact::setNodes
 {
     for (const label objecti : objects)
     {
+        bodies.setRest(objecti, rest_);
         const label start = surfaces.pointStart()[objecti];
         forAll(areas_, i)
         {

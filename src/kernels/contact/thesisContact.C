@@ -28,7 +28,8 @@ Foam::fsi::thesisContact::thesisContact
 :
     stiffness_(readPositive(dict, "stiffness", scales.youngsModulus)),
     restLength_(readPositive(dict, "restLength", 2)*scales.range),
-    cancel_(dict.lookupOrDefault<Switch>("cancel", true))
+    cancel_(dict.lookupOrDefault<Switch>("cancel", true)),
+    warned_(false)
 {
     checkKeys(dict, {"type", "stiffness", "restLength", "cancel"});
 }
@@ -123,6 +124,35 @@ void Foam::fsi::thesisContact::repelAll(const contactProblem& problem)
 }
 
 
+void Foam::fsi::thesisContact::warn(const contactProblem& problem)
+{
+    if (warned_ || problem.found.pairs.empty())
+    {
+        return;
+    }
+    const scalar kinetic = 0.5*sum
+    (
+        problem.bodies.masses()*magSqr(problem.surfaces.velocities())
+    );
+    const scalar springs = potentialEnergy(problem);
+    if (springs > 10*kinetic)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "The springs of contact law 'thesis' hold " << springs
+            << " J where all boundary nodes move with " << kinetic << " J."
+            << nl
+            << "    Its force does not vanish at the distance at which contact"
+            << " is noticed, so that it gives such energy to the bodies;" << nl
+            << "    runs may end with a velocity or Courant number without"
+            << " bounds. Lower the entry 'stiffness' (now " << stiffness_
+            << " Pa)," << nl
+            << "    or use the law 'elastic', which adds no energy" << nl
+            << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::fsi::thesisContact::potentialEnergy
@@ -154,6 +184,7 @@ void Foam::fsi::thesisContact::addForces
     contactStatistics&
 )
 {
+    warn(problem);
     repelAll(problem);
     forAll(count_, nodei)
     {
