@@ -29,6 +29,7 @@ Usage
 #include "fvMesh.H"
 #include "OSspecific.H"
 #include "cartesianMesh.H"
+#include "contact.H"
 #include "functionObject.H"
 #include "objectPolyData.H"
 #include "seeding.H"
@@ -61,6 +62,28 @@ static void write(const Time& runTime, const fsi::population& objects)
 }
 
 
+//- Gap below which the solver lets objects push each other [m]
+static scalar contactRange(const Time& runTime, const scalar spacing)
+{
+    const IOdictionary properties
+    (
+        IOobject
+        (
+            "fsiProperties",
+            runTime.constant(),
+            runTime,
+            IOobject::READ_IF_PRESENT,
+            IOobject::NO_WRITE,
+            false
+        )
+    );
+    return fsi::contact::readRange
+    (
+        properties.subOrEmptyDict("contact"), spacing
+    );
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote("Make the objects of a case from a dictionary");
@@ -85,7 +108,8 @@ int main(int argc, char *argv[])
             lattice.bounds(),
             lattice.spacing(),
             lattice.thickness(),
-            lattice.nDims()
+            lattice.nDims(),
+            contactRange(runTime, lattice.spacing())
         },
         dict
     );

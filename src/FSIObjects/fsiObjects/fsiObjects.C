@@ -191,6 +191,10 @@ void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
         system_.objects.updateSurfaces();
     }
     {
+        const stepTimer::section contact(timer_, stepTimer::part::contact);
+        system_.contacts->measure();
+    }
+    {
         const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
         system_.levelSet->move(system_.objects.surfaces(), system_.deltaT());
     }

@@ -31,6 +31,7 @@ void Foam::fsi::fsiObjects::report()
     const contactStatistics& contacts = system_.contacts->statistics();
     record.contacts = contacts.contacts;
     record.smallestGap = contacts.smallestGap;
+    record.contactEnergy = contacts.potentialEnergy;
     record.misfit = system_.levelSet->misfit(objects.surfaces());
     record.rebuilds = system_.levelSet->nRebuilds();
 

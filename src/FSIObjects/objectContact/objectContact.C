@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
-#include "symmetryPlanePolyPatch.H"
-#include "wallPolyPatch.H"
+#include "domainSides.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -11,37 +10,19 @@ Foam::List<Foam::fsi::contactWall> Foam::fsi::objectContact::findWalls
     const fvMesh& mesh
 )
 {
-    const boundBox bb(mesh.bounds());
-    const scalar tolerance = 1e-6*bb.mag();
-
-    // Six sides: lower and upper of each direction
-    FixedList<bool, 6> isWall(false);
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (!isA<wallPolyPatch>(patch) && !isA<symmetryPlanePolyPatch>(patch))
-        {
-            continue;
-        }
-        for (const point& p : patch.faceCentres())
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                isWall[2*d] |= mag(p[d] - bb.min()[d]) < tolerance;
-                isWall[2*d + 1] |= mag(p[d] - bb.max()[d]) < tolerance;
-            }
-        }
-    }
+    const domainSides sides(mesh);
+    const boundBox& bb = sides.bounds();
 
     DynamicList<contactWall> walls;
     for (direction d = 0; d < 3; ++d)
     {
         vector normal(Zero);
         normal[d] = 1;
-        if (returnReduce(isWall[2*d], orOp<bool>()))
+        if (sides(d, false) == domainSides::WALL)
         {
             walls.append(contactWall(bb.min(), normal));
         }
-        if (returnReduce(isWall[2*d + 1], orOp<bool>()))
+        if (sides(d, true) == domainSides::WALL)
         {
             walls.append(contactWall(bb.max(), -normal));
         }
@@ -74,17 +55,22 @@ void Foam::fsi::objectContact::findAxis()
     axis_->update(system_.objects.surfaces(), system_.grid.cells(1));
 
     List<pointField> positions(Pstream::nProcs());
+    List<scalarList> distances(Pstream::nProcs());
     List<labelList> objects(Pstream::nProcs());
     pointField& myPositions = positions[Pstream::myProcNo()];
+    scalarList& myDistances = distances[Pstream::myProcNo()];
     labelList& myObjects = objects[Pstream::myProcNo()];
     for (const medialAxisPoint& p : axis_->points())
     {
         myPositions.append(p.position);
+        myDistances.append(p.distance);
         myObjects.append(p.object[0]);
         myObjects.append(p.object[1]);
     }
     Pstream::gatherList(positions);
     Pstream::scatterList(positions);
+    Pstream::gatherList(distances);
+    Pstream::scatterList(distances);
     Pstream::gatherList(objects);
     Pstream::scatterList(objects);
 
@@ -93,17 +79,31 @@ void Foam::fsi::objectContact::findAxis()
     {
         forAll(positions[ranki], i)
         {
-            contactMedialPoint p;
+            medialAxisPoint p;
             p.position = positions[ranki][i];
-            p.objects[0] = objects[ranki][2*i];
-            p.objects[1] = objects[ranki][2*i + 1];
+            p.distance = distances[ranki][i];
+            p.object[0] = objects[ranki][2*i];
+            p.object[1] = objects[ranki][2*i + 1];
             axisPoints_.append(p);
         }
     }
 }
 
 
-void Foam::fsi::objectContact::setBodies()
+void Foam::fsi::objectContact::prepareSearch()
+{
+    if
+    (
+        contact_.needsMedialAxis()
+     && !contact_.searched(system_.objects.surfaces())
+    )
+    {
+        findAxis();
+    }
+}
+
+
+void Foam::fsi::objectContact::setNodes()
 {
     const population& objects = system_.objects;
     bodies_.reset(objects.surfaces());
@@ -116,10 +116,23 @@ void Foam::fsi::objectContact::setBodies()
         {
             groups_[groupi] = std::make_unique<groupContact>(group);
         }
-        groups_[groupi]->set
+        groups_[groupi]->setNodes
         (
-            objects.surfaces(),
-            identity(group.size(), objects.objectIndex(groupi, 0)),
+            objects.surfaces(), objectsOf(groupi), bodies_
+        );
+    }
+}
+
+
+void Foam::fsi::objectContact::setBodies()
+{
+    setNodes();
+    forAll(groups_, groupi)
+    {
+        groups_[groupi]->setResponse
+        (
+            system_.objects.surfaces(),
+            objectsOf(groupi),
             contact_.needsInternalForces(),
             bodies_
         );
@@ -168,7 +181,8 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
         system.properties.subOrEmptyDict("contact"),
         system.grid.nDims(),
         system.grid.spacing(),
-        leastModulus(system.objects)
+        leastModulus(system.objects),
+        system.fluidDensity*system.viscosity
     ),
     walls_(findWalls(system.grid.mesh())),
     nLimited_(0)
@@ -180,10 +194,7 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
 void Foam::fsi::objectContact::calculate()
 {
     setBodies();
-    if (contact_.needsMedialAxis())
-    {
-        findAxis();
-    }
+    prepareSearch();
     contact_.calculate
     (
         system_.objects.surfaces(),
@@ -192,6 +203,17 @@ void Foam::fsi::objectContact::calculate()
         axisPoints_,
         system_.deltaT(),
         force_
+    );
+}
+
+
+void Foam::fsi::objectContact::measure()
+{
+    setNodes();
+    prepareSearch();
+    contact_.measure
+    (
+        system_.objects.surfaces(), bodies_, walls_, axisPoints_
     );
 }
 

@@ -10,9 +10,9 @@ Foam::wordList Foam::fsi::stepRecord::columns()
     return wordList
     ({
         "time", "deltaT", "objects", "contacts", "smallestGap",
-        "kineticEnergy", "elasticEnergy", "areaChange", "misfit", "rebuilds",
-        "fluidSeconds", "levelSetSeconds", "solidsSeconds", "contactSeconds",
-        "couplingSeconds"
+        "kineticEnergy", "elasticEnergy", "contactEnergy", "areaChange",
+        "misfit", "rebuilds", "fluidSeconds", "levelSetSeconds",
+        "solidsSeconds", "contactSeconds", "couplingSeconds"
     });
 }
 
@@ -21,7 +21,8 @@ void Foam::fsi::stepRecord::write(csvTable& table) const
 {
     csvTable::rowWriter row(table);
     row << time << deltaT << objects << contacts << smallestGap
-        << kineticEnergy << elasticEnergy << areaChange << misfit << rebuilds;
+        << kineticEnergy << elasticEnergy << contactEnergy << areaChange
+        << misfit << rebuilds;
     for (const scalar s : seconds)
     {
         row << s;
@@ -38,6 +39,7 @@ void Foam::fsi::stepRecord::log(Ostream& os, const stepTimer& timer) const
     }
     os  << ", kinetic energy " << kineticEnergy
         << ", elastic energy " << elasticEnergy
+        << ", contact energy " << contactEnergy
         << ", area change " << areaChange
         << ", misfit/h " << misfit
         << ", rebuilds " << rebuilds

@@ -107,6 +107,38 @@ void Foam::fsi::seeding::place(const dictionary& dict)
 }
 
 
+void Foam::fsi::seeding::checkContacts() const
+{
+    label nTouching = 0, first = -1, other = -1;
+    for (label i = 0; i < space_->size() && domain_.contactRange > 0; ++i)
+    {
+        const label found = space_->findConflict
+        (
+            space_->objectOutline(i), domain_.contactRange, i
+        );
+        if (found >= 0 && nTouching++ == 0)
+        {
+            first = i;
+            other = found;
+        }
+    }
+    if (nTouching)
+    {
+        const scalar gap =
+            space_->objectOutline(first).distance(space_->objectOutline(other));
+        WarningInFunction
+            << nTouching << " objects are nearer to another than the range of"
+            << " contact, " << domain_.contactRange
+            << " m: they push each other from the start." << nl
+            << "    The first is " << space_->description(first).c_str() << nl
+            << "    with the gap " << gap << " m to "
+            << space_->description(other).c_str() << nl
+            << "    Entry 'minimumGap' of a placement keeps them apart" << nl
+            << endl;
+    }
+}
+
+
 void Foam::fsi::seeding::populate()
 {
     const label n = space_->size();
@@ -148,6 +180,7 @@ Foam::fsi::seeding::seeding
     checkKeys(dict, {"FoamFile", "shapes", "placements"});
     addShapes(dict.subDict("shapes"));
     place(dict.subDict("placements"));
+    checkContacts();
     populate();
 }
 

@@ -30,16 +30,10 @@ public:
         minimum_(minimum)
     {}
 
-    virtual scalar impulse
-    (
-        const scalar,
-        const scalar gap,
-        const scalar u,
-        const scalar compliance,
-        const scalar dt
-    ) const
+    virtual scalar impulse(const contactState& pair) const
     {
-        return max(min((minimum_ - gap)/dt, 0.0) - u, 0.0)/compliance;
+        const scalar least = min((minimum_ - pair.gap)/pair.dt, 0.0);
+        return max(least - pair.velocity, 0.0)/pair.compliance;
     }
 };
 
@@ -51,11 +45,17 @@ static contactScales readScales
 (
     const dictionary& dict,
     const scalar spacing,
-    const scalar youngsModulus
+    const scalar youngsModulus,
+    const scalar viscosity
 )
 {
-    checkKeys(dict, {"range", "margin", "minimumGap", "search", "law"});
-    return {spacing, readPositive(dict, "range", 3)*spacing, youngsModulus};
+    checkKeys
+    (
+        dict,
+        {"range", "margin", "minimumGap", "search", "law", "lubrication"}
+    );
+    const scalar range = contact::readRange(dict, spacing);
+    return {spacing, range, youngsModulus, viscosity};
 }
 
 } // End namespace fsi
@@ -69,18 +69,29 @@ Foam::fsi::contact::contact
     const dictionary& dict,
     const direction nDims,
     const scalar spacing,
-    const scalar youngsModulus
+    const scalar youngsModulus,
+    const scalar viscosity
 )
 :
-    scales_(readScales(dict, spacing, youngsModulus)),
+    scales_(readScales(dict, spacing, youngsModulus, viscosity)),
     margin_(readNonNegative(dict, "margin", 1)*spacing),
     minimumGap_(readPositive(dict, "minimumGap", 0.1)*spacing),
     search_(contactSearch::New(dict.subOrEmptyDict("search"))),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
+    film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
     limiter_(dictionary()),
     limitSearch_(contactSearch::New(dictionary())),
     moved_(nDims)
-{}
+{
+    if (film_->active() && !law_->takesLubrication())
+    {
+        FatalIOErrorInFunction(dict)
+            << "The law of dictionary " << dict.name() << " is '"
+            << law_->type() << "', which knows no lubrication (entry"
+            << " 'lubrication'); laws derived from potentialContact do:"
+            << " elastic, Morse, LennardJones" << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -131,32 +142,87 @@ void Foam::fsi::contact::count(const surfaceSet& surfaces)
 }
 
 
+void Foam::fsi::contact::setStretches
+(
+    const surfaceSet& surfaces,
+    const contactBodies& bodies
+)
+{
+    for (contactPair& pair : found_.pairs)
+    {
+        const label own = surfaces.pointObject()[pair.node];
+        if (pair.other == own)
+        {
+            const scalar rest = bodies.restDistance(surfaces, pair);
+            pair.stretch = max(scales_.range/max(rest, VSMALL), 1.0);
+        }
+    }
+}
+
+
+Foam::fsi::contactProblem Foam::fsi::contact::problem
+(
+    const surfaceSet& surfaces,
+    const contactBodies& bodies,
+    const scalar dt
+) const
+{
+    return {surfaces, bodies, found_, film_(), scales_.range, dt};
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::contact::readRange
+(
+    const dictionary& dict,
+    const scalar spacing
+)
+{
+    return readPositive(dict, "range", 3)*spacing;
+}
+
+
+const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
+(
+    const surfaceSet& surfaces,
+    const contactBodies& bodies,
+    const UList<contactWall>& walls,
+    const UList<medialAxisPoint>& medialAxis
+)
+{
+    if (!searched(surfaces))
+    {
+        search_->find
+        (
+            surfaces, walls, medialAxis, scales_.range + margin_, found_
+        );
+        setStretches(surfaces, bodies);
+        searched_ = surfaces.points();
+    }
+    count(surfaces);
+    statistics_.potentialEnergy =
+        law_->potentialEnergy(problem(surfaces, bodies, GREAT));
+    return statistics_;
+}
+
 
 const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 (
     const surfaceSet& surfaces,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
-    const UList<contactMedialPoint>& medialAxis,
+    const UList<medialAxisPoint>& medialAxis,
     const scalar dt,
     vectorField& force
 )
 {
-    search_->find
-    (
-        surfaces, walls, medialAxis, scales_.range + margin_, found_
-    );
-    count(surfaces);
+    measure(surfaces, bodies, walls, medialAxis);
 
+    film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
-    law_->addForces
-    (
-        contactProblem{surfaces, bodies, found_, scales_.range, dt},
-        force,
-        statistics_
-    );
+    law_->addForces(problem(surfaces, bodies, dt), force, statistics_);
     return statistics_;
 }
 
@@ -180,7 +246,7 @@ Foam::label Foam::fsi::contact::limit
     (
         moved_,
         walls,
-        UList<contactMedialPoint>(),
+        UList<medialAxisPoint>(),
         minimumGap_ + margin_,
         closing_
     );
@@ -197,7 +263,7 @@ Foam::label Foam::fsi::contact::limit
     // Their gaps at the start of the step, along the same normals
     const contactProblem problem
     {
-        moved_, bodies, closing_, minimumGap_, dt
+        moved_, bodies, closing_, noFilm_, minimumGap_, dt
     };
     for (contactPair& pair : closing_.pairs)
     {

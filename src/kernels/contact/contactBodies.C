@@ -106,6 +106,28 @@ void Foam::fsi::contactBodies::setRigid
 }
 
 
+Foam::scalar Foam::fsi::contactBodies::restDistance
+(
+    const surfaceSet& surfaces,
+    const contactPair& pair
+) const
+{
+    const pointField* rest = bodies_[pair.other].rest;
+    if (!rest)
+    {
+        return GREAT;
+    }
+    const label start = surfaces.pointStart()[pair.other];
+    const surfaceFace& f = surfaces.faces()[pair.face];
+    vector distance((*rest)[pair.node - start]);
+    for (label i = 0; i < surfaces.nNodes(); ++i)
+    {
+        distance -= pair.weights[i]*(*rest)[f[i] - start];
+    }
+    return mag(distance);
+}
+
+
 Foam::scalarField Foam::fsi::contactBodies::nodeAreas
 (
     const pointField& points,

@@ -12,20 +12,28 @@ Foam::fsi::contactGeometry::contactGeometry(const bool selfContact)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::fsi::contactGeometry::facing
+bool Foam::fsi::contactGeometry::opposed
 (
-    const surfaceSet& surfaces,
+    const label nodei,
+    const label facei
+) const
+{
+    const vector& n = nodeNormals_[nodei];
+    const scalar along = n & faceNormals_[facei];
+    return along < 0 && sqr(along) > 0.25*magSqr(n);
+}
+
+
+bool Foam::fsi::contactGeometry::inFront
+(
     const label nodei,
     const label facei,
     const vector& offset
 ) const
 {
     const vector& n = nodeNormals_[nodei];
-    const vector faceNormal(surfaces.areaNormal(facei));
-
     return
-        (n & faceNormal) < -0.5*mag(n)*mag(faceNormal)
-     && (offset & faceNormal) > 0.5*mag(offset)*mag(faceNormal)
+        (offset & faceNormals_[facei]) > 0.5*mag(offset)
      && (offset & n) < -0.5*mag(offset)*mag(n);
 }
 
@@ -76,12 +84,14 @@ void Foam::fsi::contactGeometry::update(const surfaceSet& surfaces)
     const pointField& x = surfaces.points();
     nodeNormals_.setSize(x.size());
     nodeNormals_ = Zero;
+    faceNormals_.setSize(surfaces.faces().size());
 
     forAll(surfaces.faces(), facei)
     {
         const surfaceFace& f = surfaces.faces()[facei];
         const vector area(surfaces.areaNormal(facei));
         const vector n(area/max(mag(area), VSMALL));
+        faceNormals_[facei] = n;
 
         if (surfaces.nDims() == 2)
         {
@@ -109,7 +119,7 @@ void Foam::fsi::contactGeometry::consider
 {
     const label object = surfaces.faceObject()[facei];
     const bool own = object == surfaces.pointObject()[nodei];
-    if (own && !selfContact_)
+    if (own && (!selfContact_ || !opposed(nodei, facei)))
     {
         return;
     }
@@ -124,7 +134,7 @@ void Foam::fsi::contactGeometry::consider
     if
     (
         distanceSqr > sqr(range)
-     || (own && !facing(surfaces, nodei, facei, candidate.offset))
+     || (own && !inFront(nodei, facei, candidate.offset))
     )
     {
         return;

@@ -2,42 +2,94 @@
 
 #include "contactResponse.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Velocities of the nodes by an impulse on one, x and y coupled
+static void addCoupled
+(
+    const Eigen::MatrixXd& B,
+    const label node,
+    const vector& impulse,
+    vector* v
+)
+{
+    const label nNodes = B.rows()/2;
+    for (direction c = 0; c < 2; ++c)
+    {
+        const double* column = B.col(node + c*nNodes).data();
+        for (label i = 0; i < nNodes; ++i)
+        {
+            v[i].x() += column[i]*impulse[c];
+            v[i].y() += column[nNodes + i]*impulse[c];
+        }
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::contactResponse::compliance
+void Foam::fsi::contactResponse::setShares(const label pairi)
+{
+    const contactPair& pair = pairs_[pairi];
+    const vector& n = pair.normal;
+    const label nModes = (*bodies_)[own(pair)].nModes;
+    for (label k = 0; k < nModes; ++k)
+    {
+        nodeShares_[pairi][k] = bodies_->mode(pair.node, k) & n;
+    }
+    if (pair.face < 0)
+    {
+        return;
+    }
+
+    const surfaceFace& f = surfaces_->faces()[pair.face];
+    const label nOther = (*bodies_)[pair.other].nModes;
+    for (label k = 0; k < nOther; ++k)
+    {
+        scalar share = 0;
+        for (label i = 0; i < surfaces_->nNodes(); ++i)
+        {
+            share -= pair.weights[i]*(bodies_->mode(f[i], k) & n);
+        }
+        otherShares_[pairi][k] = share;
+    }
+}
+
+
+Foam::scalar Foam::fsi::contactResponse::inverse
 (
     const label objecti,
     const label i,
-    const vector& n,
     const label j,
-    const vector& m
+    const vector& n
 ) const
 {
-    const contactBodies::body& b = (*bodies_)[objecti];
+    const Eigen::MatrixXd* B = (*bodies_)[objecti].inverse;
     const label start = surfaces_->pointStart()[objecti];
+    if (!B)
+    {
+        return 0;
+    }
+    if (!(*bodies_)[objecti].coupled)
+    {
+        return (*B)(i - start, j - start);
+    }
 
+    const label nNodes = B->rows()/2;
     scalar sum = 0;
-    if (b.inverse && !b.coupled)
+    for (label c = 0; c < 4; ++c)
     {
-        sum = (*b.inverse)(i - start, j - start)*(n & m);
-    }
-    else if (b.inverse)
-    {
-        const Eigen::MatrixXd& B = *b.inverse;
-        const label nNodes = B.rows()/2;
-        for (label c = 0; c < 4; ++c)
-        {
-            const label row = i - start + (c/2)*nNodes;
-            const label column = j - start + (c % 2)*nNodes;
-            sum += B(row, column)*n[c/2]*m[c % 2];
-        }
-    }
-    for (label k = 0; k < b.nModes; ++k)
-    {
-        sum +=
-            b.coefficients[k]
-           *(bodies_->mode(i, k) & n)
-           *(bodies_->mode(j, k) & m);
+        const label row = i - start + (c/2)*nNodes;
+        const label column = j - start + (c % 2)*nNodes;
+        sum += (*B)(row, column)*n[c/2]*n[c % 2];
     }
     return sum;
 }
@@ -46,48 +98,41 @@ Foam::scalar Foam::fsi::contactResponse::compliance
 void Foam::fsi::contactResponse::addImpulse
 (
     const label objecti,
-    const label nNodes,
-    const label* nodes,
-    const scalar* weights,
+    const label nodei,
     const vector& impulse
 )
 {
-    const contactBodies::body& b = (*bodies_)[objecti];
-    const label start = surfaces_->pointStart()[objecti];
-
-    for (label n = 0; n < nNodes; ++n)
+    const Eigen::MatrixXd* B = (*bodies_)[objecti].inverse;
+    if (!B)
     {
-        const vector share(weights[n]*impulse);
-        for (label k = 0; k < b.nModes; ++k)
-        {
-            amplitudes_[objecti][k] +=
-                b.coefficients[k]*(bodies_->mode(nodes[n], k) & share);
-        }
-        if (b.inverse && b.coupled && weights[n] != 0)
-        {
-            const Eigen::MatrixXd& B = *b.inverse;
-            const label nNodes = B.rows()/2;
-            vector* v = &velocities_[start];
-            for (label column = 0; column < 2; ++column)
-            {
-                const double* response =
-                    B.col(nodes[n] - start + column*nNodes).data();
-                for (label i = 0; i < nNodes; ++i)
-                {
-                    v[i].x() += response[i]*share[column];
-                    v[i].y() += response[nNodes + i]*share[column];
-                }
-            }
-        }
-        else if (b.inverse && weights[n] != 0)
-        {
-            const double* column = b.inverse->col(nodes[n] - start).data();
-            vector* v = &velocities_[start];
-            for (label i = 0; i < b.inverse->rows(); ++i)
-            {
-                v[i] += column[i]*share;
-            }
-        }
+        return;
+    }
+    const label start = surfaces_->pointStart()[objecti];
+    if ((*bodies_)[objecti].coupled)
+    {
+        addCoupled(*B, nodei - start, impulse, &velocities_[start]);
+        return;
+    }
+    const double* column = B->col(nodei - start).data();
+    vector* v = &velocities_[start];
+    for (label i = 0; i < B->rows(); ++i)
+    {
+        v[i] += column[i]*impulse;
+    }
+}
+
+
+void Foam::fsi::contactResponse::addModes
+(
+    const label objecti,
+    const modeValues& shares,
+    const scalar impulse
+)
+{
+    const contactBodies::body& b = (*bodies_)[objecti];
+    for (label k = 0; k < b.nModes; ++k)
+    {
+        amplitudes_[objecti][k] += b.coefficients[k]*shares[k]*impulse;
     }
 }
 
@@ -97,25 +142,44 @@ void Foam::fsi::contactResponse::addImpulse
 void Foam::fsi::contactResponse::reset
 (
     const surfaceSet& surfaces,
-    const contactBodies& bodies
+    const contactBodies& bodies,
+    const UList<contactPair>& pairs
 )
 {
     surfaces_ = &surfaces;
     bodies_ = &bodies;
+    pairs_ = pairs.cdata();
     velocities_ = surfaces.velocities();
     amplitudes_.setSize(surfaces.size());
-    amplitudes_ = FixedList<scalar, contactBodies::maxModes>(0.0);
+    amplitudes_ = modeValues(0.0);
+
+    if (nodeShares_.size() < pairs.size())
+    {
+        nodeShares_.setSize(2*pairs.size());
+        otherShares_.setSize(2*pairs.size());
+    }
+    forAll(pairs, pairi)
+    {
+        setShares(pairi);
+    }
 }
 
 
-Foam::scalar Foam::fsi::contactResponse::compliance
-(
-    const contactPair& pair
-) const
+Foam::scalar Foam::fsi::contactResponse::compliance(const label pairi) const
 {
+    const contactPair& pair = pairs_[pairi];
     const vector& n = pair.normal;
-    const label own = surfaces_->pointObject()[pair.node];
-    scalar sum = compliance(own, pair.node, n, pair.node, n);
+    const label object = own(pair);
+    const contactBodies::body& b = (*bodies_)[object];
+    const bool self = pair.face >= 0 && pair.other == object;
+
+    scalar sum = inverse(object, pair.node, pair.node, n);
+    for (label k = 0; k < b.nModes; ++k)
+    {
+        const scalar share =
+            nodeShares_[pairi][k] + (self ? otherShares_[pairi][k] : 0);
+        sum += b.coefficients[k]*sqr(share);
+    }
     if (pair.face < 0)
     {
         return sum;
@@ -127,12 +191,14 @@ Foam::scalar Foam::fsi::contactResponse::compliance
         const scalar wi = pair.weights[i];
         for (label j = 0; j < surfaces_->nNodes(); ++j)
         {
-            sum += wi*pair.weights[j]*compliance(pair.other, f[i], n, f[j], n);
+            sum += wi*pair.weights[j]*inverse(pair.other, f[i], f[j], n);
         }
-        if (pair.other == own)
-        {
-            sum -= 2*wi*compliance(own, pair.node, n, f[i], n);
-        }
+        sum -= self ? 2*wi*inverse(object, pair.node, f[i], n) : 0;
+    }
+    const contactBodies::body& other = (*bodies_)[pair.other];
+    for (label k = 0; k < other.nModes && !self; ++k)
+    {
+        sum += other.coefficients[k]*sqr(otherShares_[pairi][k]);
     }
     return sum;
 }
@@ -140,26 +206,26 @@ Foam::scalar Foam::fsi::contactResponse::compliance
 
 void Foam::fsi::contactResponse::addImpulse
 (
-    const contactPair& pair,
+    const label pairi,
     const scalar impulse
 )
 {
+    const contactPair& pair = pairs_[pairi];
     const vector j(impulse*pair.normal);
-    const scalar one = 1;
-    addImpulse
-    (
-        surfaces_->pointObject()[pair.node], 1, &pair.node, &one, j
-    );
+
+    addImpulse(own(pair), pair.node, j);
+    addModes(own(pair), nodeShares_[pairi], impulse);
     if (pair.face >= 0)
     {
-        addImpulse
-        (
-            pair.other,
-            surfaces_->nNodes(),
-            surfaces_->faces()[pair.face].cdata(),
-            pair.weights.cdata(),
-            -j
-        );
+        const surfaceFace& f = surfaces_->faces()[pair.face];
+        for (label i = 0; i < surfaces_->nNodes(); ++i)
+        {
+            if (pair.weights[i] != 0)
+            {
+                addImpulse(pair.other, f[i], -pair.weights[i]*j);
+            }
+        }
+        addModes(pair.other, otherShares_[pairi], impulse);
     }
 }
 

@@ -20,7 +20,7 @@ namespace fsi
 
 Foam::fsi::contactSearch::contactSearch(const dictionary& dict)
 :
-    geometry_(dict.lookupOrDefault<Switch>("selfContact", false))
+    geometry_(dict.lookupOrDefault<Switch>("selfContact", true))
 {
     checkKeys(dict, {"type", "selfContact"});
 }

@@ -29,17 +29,24 @@ Foam::scalar Foam::fsi::contactSolver::relax
     }
 
     const scalar u =
-        response_.normalVelocity(pair) - compliance*impulses_[pairi];
-    const scalar impulse = rule.impulse
+        response_.normalVelocity(pairi) - compliance*impulses_[pairi];
+
+    // With the gap stretched by c an energy s w(c g)/c has the pressure w'
+    const scalar c = pair.stretch;
+    const scalar impulse = c*rule.impulse
     (
-        problem.area(pair), pair.gap, u, compliance, problem.dt
+        contactState
+        {
+            problem.area(pair)/c, c*pair.gap, c*u, sqr(c)*compliance,
+            problem.dt, problem.film, resistances_[pairi], c*endGaps_[pairi]
+        }
     );
     endGaps_[pairi] = pair.gap + problem.dt*(u + compliance*impulse);
 
     const scalar change = impulse - impulses_[pairi];
     if (change != 0)
     {
-        response_.addImpulse(pair, change);
+        response_.addImpulse(pairi, change);
         impulses_[pairi] = impulse;
     }
     return mag(change)*compliance*problem.dt;
@@ -69,15 +76,21 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
 {
     const label nPairs = problem.found.pairs.size();
 
-    response_.reset(problem.surfaces, problem.bodies);
+    response_.reset(problem.surfaces, problem.bodies, problem.found.pairs);
     compliances_.setSize(nPairs);
     endGaps_.setSize(nPairs);
     endGaps_ = GREAT;
     impulses_.setSize(nPairs);
     impulses_ = 0;
+    resistances_.setSize(nPairs);
     for (label i = 0; i < nPairs; ++i)
     {
-        compliances_[i] = response_.compliance(problem.found.pairs[i]);
+        const contactPair& pair = problem.found.pairs[i];
+        compliances_[i] = response_.compliance(i);
+        resistances_[i] = problem.film.resistance
+        (
+            problem.surfaces.pointObject()[pair.node], pair
+        );
     }
 }
 

@@ -27,11 +27,12 @@ static pointField boundaryPoints(const shapeTemplate& shape)
 Foam::fsi::groupContact::groupContact(const bodyGroup& group)
 :
     group_(group),
+    rest_(boundaryPoints(group.shape())),
     areas_
     (
         contactBodies::nodeAreas
         (
-            boundaryPoints(group.shape()),
+            rest_,
             group.shape().faces(),
             group.shape().nDims(),
             group.shape().thickness()
@@ -66,7 +67,49 @@ void Foam::fsi::groupContact::addMode
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::groupContact::set
+void Foam::fsi::groupContact::setNodes
+(
+    const surfaceSet& surfaces,
+    const labelUList& objects,
+    contactBodies& bodies
+) const
+{
+    for (const label objecti : objects)
+    {
+        bodies.setRest(objecti, rest_);
+        const label start = surfaces.pointStart()[objecti];
+        forAll(areas_, i)
+        {
+            bodies.areas()[start + i] = areas_[i];
+            bodies.masses()[start + i] = group_.shape().nodeMasses()[i];
+        }
+    }
+}
+
+
+void Foam::fsi::groupContact::setInternalForces
+(
+    const surfaceSet& surfaces,
+    const labelUList& objects,
+    contactBodies& bodies
+)
+{
+    group_.internalForce(internalForce_);
+    forAll(objects, copyi)
+    {
+        const label start = surfaces.pointStart()[objects[copyi]];
+        forAll(areas_, i)
+        {
+            bodies.internalForces()[start + i] = vector
+            (
+                internalForce_(i, 2*copyi), internalForce_(i, 2*copyi + 1), 0
+            );
+        }
+    }
+}
+
+
+void Foam::fsi::groupContact::setResponse
 (
     const surfaceSet& surfaces,
     const labelUList& objects,
@@ -74,29 +117,9 @@ void Foam::fsi::groupContact::set
     contactBodies& bodies
 )
 {
-    const label nBoundary = areas_.size();
     if (internalForces)
     {
-        group_.internalForce(internalForce_);
-    }
-
-    forAll(objects, copyi)
-    {
-        const label start = surfaces.pointStart()[objects[copyi]];
-        for (label i = 0; i < nBoundary; ++i)
-        {
-            bodies.areas()[start + i] = areas_[i];
-            bodies.masses()[start + i] = group_.shape().nodeMasses()[i];
-            if (internalForces)
-            {
-                bodies.internalForces()[start + i] = vector
-                (
-                    internalForce_(i, 2*copyi),
-                    internalForce_(i, 2*copyi + 1),
-                    0
-                );
-            }
-        }
+        setInternalForces(surfaces, objects, bodies);
     }
     if (!group_.free() || objects.empty())
     {

@@ -70,15 +70,15 @@ Foam::fsi::medialAxisSearch::medialAxisSearch(const dictionary& dict)
 void Foam::fsi::medialAxisSearch::collectNodes
 (
     const surfaceSet& surfaces,
-    const UList<contactMedialPoint>& medialAxis
+    const UList<medialAxisPoint>& medialAxis
 )
 {
     DynamicList<label>& objects = near_[0];
     objects.clear();
-    for (const contactMedialPoint& p : medialAxis)
+    for (const medialAxisPoint& p : medialAxis)
     {
-        objects.append(p.objects[0]);
-        objects.append(p.objects[1]);
+        objects.append(p.object[0]);
+        objects.append(p.object[1]);
     }
     makeUnique(objects);
 
@@ -162,7 +162,7 @@ void Foam::fsi::medialAxisSearch::find
 (
     const surfaceSet& surfaces,
     const UList<contactWall>& walls,
-    const UList<contactMedialPoint>& medialAxis,
+    const UList<medialAxisPoint>& medialAxis,
     const scalar range,
     contactPairs& found
 )
@@ -181,7 +181,7 @@ void Foam::fsi::medialAxisSearch::find
 
         std::vector<std::pair<unsigned, scalar>> hits;
         const nanoflann::SearchParams unsorted(32, 0, false);
-        for (const contactMedialPoint& p : medialAxis)
+        for (const medialAxisPoint& p : medialAxis)
         {
             near_[0].clear();
             near_[1].clear();
@@ -190,7 +190,7 @@ void Foam::fsi::medialAxisSearch::find
             {
                 const label nodei = involved_[hit.first];
                 const label side =
-                    p.objects.find(surfaces.pointObject()[nodei]);
+                    p.object.find(surfaces.pointObject()[nodei]);
                 if (side >= 0)
                 {
                     near_[side].append(nodei);

@@ -69,27 +69,40 @@ Foam::scalar Foam::fsi::potentialContact::meanRepulsion
 
 Foam::scalar Foam::fsi::potentialContact::endGap
 (
-    const scalar g0,
+    const contactState& pair,
     const scalar coast,
-    const scalar factor
+    const scalar factor,
+    const scalar drag
 ) const
 {
+    const scalar g0 = pair.gap;
     if (min(g0, coast) >= range_)
     {
         return coast;
     }
+    const scalar psi0 = pair.film.psi(g0);
+    const scalar least = drag > 0 ? min(g0, coast) : coast;
 
-    // The residual g - coast - factor*mean is concave and increasing: Newton
-    // steps reach its root from below, after at most one step across it
-    scalar g = max(coast, 0.25*min(g0, range_));
+    // The residual g - coast - factor*mean + drag*(psi - psi0) is concave and
+    // increasing: Newton steps reach its root from below, after at most one
+    // step across it
+    scalar g = max
+    (
+        least,
+        pair.guess < range_ ? pair.guess : 0.25*min(g0, range_)
+    );
     for (label i = 0; i < 100; ++i)
     {
         scalar slope;
         const scalar mean = meanRepulsion(g0, g, slope);
-        const scalar step = (g - coast - factor*mean)/(1 - factor*slope);
+        const scalar residual =
+            g - coast - factor*mean + drag*(pair.film.psi(g) - psi0);
+        const scalar step =
+            residual/(1 - factor*slope + drag*pair.film.psiSlope(g));
         const scalar old = g;
-        g = max(g - step, coast);
-        if (mag(g - old) < 1e-13*range_)
+        g = max(g - step, least);
+        // Quadratic: the error is far smaller than the last step
+        if (mag(g - old) < 1e-9*range_)
         {
             break;
         }
@@ -98,29 +111,39 @@ Foam::scalar Foam::fsi::potentialContact::endGap
 }
 
 
-Foam::scalar Foam::fsi::potentialContact::impulse
-(
-    const scalar area,
-    const scalar gap,
-    const scalar u,
-    const scalar compliance,
-    const scalar dt
-) const
+Foam::scalar
+Foam::fsi::potentialContact::impulse(const contactState& pair) const
 {
-    const scalar factor = sqr(dt)*compliance*area;
+    const scalar gap = pair.gap;
+    const scalar perPressure = pair.dt*pair.compliance*pair.area;
+    const scalar factor = pair.dt*perPressure;
+    const scalar drag = perPressure*pair.resistance;
     const scalar pull = gap < range_ ? attraction(gap) : 0;
-    const scalar coast = gap + dt*u - factor*pull;
+    const scalar straight = gap + pair.dt*pair.velocity;
+    const scalar coast = straight - factor*pull;
 
-    scalar end = endGap(gap, coast, factor);
+    scalar push = 1;
+    scalar end = endGap(pair, coast, factor, drag);
     if (end < gap && approachFactor_ > 1)
     {
-        end = min(endGap(gap, coast, approachFactor_*factor), gap);
+        push = approachFactor_;
+        end = min(endGap(pair, coast, push*factor, drag), gap);
     }
-    if (end == coast && pull == 0)
+    if (min(gap, coast) >= range_)
     {
         return 0;
     }
-    return (end - gap - dt*u)/(dt*compliance);
+
+    // From the law where it is soft, else from the gap it leads to: each is
+    // the one that is less sensitive to an error of the gap
+    scalar slope;
+    const scalar mean = push*meanRepulsion(gap, end, slope);
+    if (drag*pair.film.psiSlope(end) - push*factor*slope < 1 && end != gap)
+    {
+        const scalar film = pair.film.psi(end) - pair.film.psi(gap);
+        return pair.area*(pair.dt*(mean - pull) - pair.resistance*film);
+    }
+    return (end - straight)/(pair.dt*pair.compliance);
 }
 
 
@@ -160,6 +183,21 @@ Foam::scalar Foam::fsi::potentialContact::pressure(const scalar gap) const
 }
 
 
+Foam::scalar Foam::fsi::potentialContact::potentialEnergy
+(
+    const contactProblem& problem
+)
+{
+    scalar sum = 0;
+    for (const contactPair& pair : problem.found.pairs)
+    {
+        sum +=
+            problem.area(pair)/pair.stretch*energy(pair.stretch*pair.gap);
+    }
+    return sum;
+}
+
+
 void Foam::fsi::potentialContact::addForces
 (
     const contactProblem& problem,
@@ -167,10 +205,6 @@ void Foam::fsi::potentialContact::addForces
     contactStatistics& statistics
 )
 {
-    for (const contactPair& pair : problem.found.pairs)
-    {
-        statistics.potentialEnergy += problem.area(pair)*energy(pair.gap);
-    }
     statistics.sweeps = solver_.solve(problem, *this);
     solver_.addForces(problem, force);
 }

@@ -125,7 +125,7 @@ void Foam::fsi::surfaceCellSearch::find
 (
     const surfaceSet& surfaces,
     const UList<contactWall>& walls,
-    const UList<contactMedialPoint>&,
+    const UList<medialAxisPoint>&,
     const scalar range,
     contactPairs& found
 )

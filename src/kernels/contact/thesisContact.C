@@ -28,7 +28,8 @@ Foam::fsi::thesisContact::thesisContact
 :
     stiffness_(readPositive(dict, "stiffness", scales.youngsModulus)),
     restLength_(readPositive(dict, "restLength", 2)*scales.range),
-    cancel_(dict.lookupOrDefault<Switch>("cancel", true))
+    cancel_(dict.lookupOrDefault<Switch>("cancel", true)),
+    warned_(false)
 {
     checkKeys(dict, {"type", "stiffness", "restLength", "cancel"});
 }
@@ -96,14 +97,7 @@ Foam::scalar Foam::fsi::thesisContact::energy
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::thesisContact::addForces
-(
-    const contactProblem& problem,
-    vectorField& force,
-    contactStatistics& statistics
-)
+void Foam::fsi::thesisContact::repelAll(const contactProblem& problem)
 {
     const pointField& x = problem.surfaces.points();
     const scalarField& areas = problem.bodies.areas();
@@ -127,16 +121,71 @@ void Foam::fsi::thesisContact::addForces
             repel(pair.node, areas[pair.node], 2*pair.gap*pair.normal);
         }
     }
+}
 
-    // Energy of the springs, with the weights 1/n_c of the forces
+
+void Foam::fsi::thesisContact::warn(const contactProblem& problem)
+{
+    if (warned_ || problem.found.pairs.empty())
+    {
+        return;
+    }
+    const scalar kinetic = 0.5*sum
+    (
+        problem.bodies.masses()*magSqr(problem.surfaces.velocities())
+    );
+    const scalar springs = potentialEnergy(problem);
+    if (springs > 10*kinetic)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "The springs of contact law 'thesis' hold " << springs
+            << " J where all boundary nodes move with " << kinetic << " J."
+            << nl
+            << "    Its force does not vanish at the distance at which contact"
+            << " is noticed, so that it gives such energy to the bodies;" << nl
+            << "    runs may end with a velocity or Courant number without"
+            << " bounds. Lower the entry 'stiffness' (now " << stiffness_
+            << " Pa)," << nl
+            << "    or use the law 'elastic', which adds no energy" << nl
+            << endl;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::thesisContact::potentialEnergy
+(
+    const contactProblem& problem
+)
+{
+    const pointField& x = problem.surfaces.points();
+    const scalarField& areas = problem.bodies.areas();
+    repelAll(problem);
+
+    scalar sum = 0;
     for (const labelPair& c : collisions_)
     {
         const scalar d = mag(x[c.first()] - x[c.second()]);
-        statistics.potentialEnergy +=
-            energy(areas[c.first()], d)/count_[c.first()]
-          + energy(areas[c.second()], d)/count_[c.second()];
+        for (const label nodei : c)
+        {
+            sum += energy(areas[nodei], d)/count_[nodei];
+        }
     }
+    return sum;
+}
 
+
+void Foam::fsi::thesisContact::addForces
+(
+    const contactProblem& problem,
+    vectorField& force,
+    contactStatistics&
+)
+{
+    warn(problem);
+    repelAll(problem);
     forAll(count_, nodei)
     {
         if (count_[nodei] == 0)

@@ -74,13 +74,7 @@ void Foam::fsi::shapeTemplate::setMasses()
 {
     const word nodeMass
     (
-        readChoice
-        (
-            materialDict_,
-            "nodeMass",
-            membrane_.valid() ? "area" : "uniform",
-            {"uniform", "area"}
-        )
+        readChoice(materialDict_, "nodeMass", "area", {"area", "uniform"})
     );
     nodeMasses_.resize(nNodes());
     nodeMasses_ = nodeMass == "uniform" ? mass()/nNodes() : 0;

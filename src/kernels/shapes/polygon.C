@@ -2,11 +2,12 @@
 
 #include "polygon.H"
 #include "addToRunTimeSelectionTable.H"
+#include "caseFile.H"
 #include "dictionaryCheck.H"
 #include "DynamicList.H"
 #include "IFstream.H"
 #include "OSspecific.H"
-#include "triangulation.H"
+#include "polygonPredicates.H"
 #include "unitConversion.H"
 
 #include <fstream>
@@ -81,8 +82,7 @@ Foam::pointField Foam::fsi::polygon::readCsv
 
 Foam::pointField Foam::fsi::polygon::read(const dictionary& dict)
 {
-    fileName file(dict.get<fileName>("file"));
-    file.expand();
+    const fileName file(readCaseFile(dict, "file"));
     if (!isFile(file, false))
     {
         FatalIOErrorInFunction(dict)
@@ -102,7 +102,7 @@ Foam::pointField Foam::fsi::polygon::read(const dictionary& dict)
     {
         p.z() = 0;
     }
-    if (points.size() < 3 || !triangulation::isSimple(points))
+    if (points.size() < 3 || !polygonPredicates::isSimple(points))
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'file' in dictionary " << dict.name()

@@ -144,17 +144,6 @@ static shapeMesh smoothMesh
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-bool Foam::fsi::triangulation::isSimple(const pointField& polygon)
-{
-    CGAL::Polygon_2<kernel> cgalPolygon;
-    for (const point& p : polygon)
-    {
-        cgalPolygon.push_back(kernel::Point_2(p.x(), p.y()));
-    }
-    return cgalPolygon.is_simple();
-}
-
-
 Foam::List<Foam::fsi::bodyElement> Foam::fsi::triangulation::triangulate
 (
     const pointField& points,

@@ -16,7 +16,7 @@ import results
 
 # Of the box: with the history of the faces' velocities (ddtPhiCoeff -1, the
 # default), and without it, where a restart is bitwise exact
-TOLERANCE = {"default": 1e-6, "ddtPhiCoeff 0": 0}
+TOLERANCE = {"default": 0, "ddtPhiCoeff 0": 0}
 
 SHAPES = """
 disc

@@ -54,6 +54,20 @@ TEST(Placement, refusesOverlapNamingBothObjects)
 }
 
 
+TEST(Placement, refusesPerturbationOfNoVelocity)
+{
+    const std::string placement =
+        "type listed; shape disc; velocityPerturbation 0.1;"
+        "objects ({ centre (0.5 0.5 0); });";
+    expectPieces
+    (
+        errorOf(placement),
+        {"seedObjectsDict", "'velocityPerturbation'", "placement a", "zero"}
+    );
+    EXPECT_EQ(errorOf(placement + "velocity (0 1 0);"), "");
+}
+
+
 TEST(Placement, refusesObjectsOutsideTheDomain)
 {
     const std::string inside =

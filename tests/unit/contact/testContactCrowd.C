@@ -66,9 +66,7 @@ TEST(ContactCrowd, hundredDiscsThousandSteps)
 }
 
 
-// Nine minutes on one core:
-//     --gtest_also_run_disabled_tests --gtest_filter=*Slow*
-TEST(ContactCrowd, DISABLED_SlowThousandDiscsTenThousandSteps)
+TEST(ContactCrowd, longThousandDiscsTenThousandSteps)
 {
     discCrowd crowd(32);
     runCrowd(crowd, 10000, 100);

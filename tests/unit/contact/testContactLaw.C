@@ -52,7 +52,7 @@ TEST(ContactLaw, smoothAtTheRangeAndStrongAtContact)
 TEST(ContactLaw, adhesionHasItsMinimumAtTheEquilibriumGap)
 {
     // Far from the cut-off, where the potential is that of the books
-    const contactScales wide{0.1, 3, 50};
+    const contactScales wide{0.1, 3, 50, 0};
     for (const word type : {"Morse", "LennardJones"})
     {
         autoPtr<contactLaw> law

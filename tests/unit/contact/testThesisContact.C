@@ -43,7 +43,7 @@ TEST(ContactLaw, thesisCancelStopsCollidingNodes)
     law.calculate
     (
         world.surfaces, world.bodies, world.walls,
-        UList<contactMedialPoint>(), dt, world.force
+        UList<medialAxisPoint>(), dt, world.force
     );
     label nStopped = 0;
     forAll(world.force, i)

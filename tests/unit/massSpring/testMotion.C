@@ -68,8 +68,9 @@ TEST(motion, rotatingBodyKeepsItsShape)
     scalar meanX = 0, meanY = 0;
     forAll(shape->points(), i)
     {
-        meanX += shape->points()[i].x()/shape->nNodes();
-        meanY += shape->points()[i].y()/shape->nNodes();
+        const scalar share = shape->nodeMasses()[i]/shape->mass();
+        meanX += share*shape->points()[i].x();
+        meanY += share*shape->points()[i].y();
     }
     forAll(shape->points(), i)
     {

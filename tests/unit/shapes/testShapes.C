@@ -7,8 +7,9 @@
 #include "mathematicalConstants.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
-#include "triangulation.H"
+#include "polygonPredicates.H"
 
+#include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -90,7 +91,7 @@ TEST(shape, outlineIsUniformClosedAndCounterClockwise)
 
         EXPECT_EQ(points.size(), 100) << text;
         EXPECT_GT(outlineTools::area(points), 0);
-        EXPECT_TRUE(triangulation::isSimple(points));
+        EXPECT_TRUE(polygonPredicates::isSimple(points));
         EXPECT_LT(mag(outlineTools::centroid(points)), 1e-12*h*100);
         EXPECT_EQ(max(mag(points.component(vector::Z))), 0);
 
@@ -185,6 +186,21 @@ TEST(shape, polygonKeepsItsCornersAndIsTurnedRound)
         }
         EXPECT_EQ(nCorners, 4);
     }
+
+    // A relative name starts at the case
+    setEnv("FOAM_CASE", csv.path(), true);
+    EXPECT_EQ
+    (
+        shapeOf("type polygon; file \"" + csv.name() + "\";")->curve().size(),
+        4
+    );
+    EXPECT_EQ
+    (
+        shapeOf("type polygon; file \"<case>/" + csv.name() + "\";")
+            ->curve().size(),
+        4
+    );
+    ::unsetenv("FOAM_CASE");
     rm(csv);
     rm(list);
 }
@@ -221,18 +237,6 @@ TEST(triangulation, fillsTheOutlineWithGoodTriangles)
             mesh.points.size() - mesh.edges().size() + mesh.elements.size(), 1
         );
     }
-}
-
-
-TEST(triangulation, knowsCrossingPolygons)
-{
-    pointField bow(4, Zero);
-    bow[1] = point(1, 1, 0);
-    bow[2] = point(1, 0, 0);
-    bow[3] = point(0, 1, 0);
-    EXPECT_FALSE(triangulation::isSimple(bow));
-    std::swap(bow[1], bow[2]);
-    EXPECT_TRUE(triangulation::isSimple(bow));
 }
 
 

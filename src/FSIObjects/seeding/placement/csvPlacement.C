@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "csvPlacement.H"
+#include "caseFile.H"
 #include "IFstream.H"
-#include "OSspecific.H"
 #include "stringOps.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -24,14 +24,6 @@ namespace Foam
 {
 namespace fsi
 {
-
-//- A file name, relative ones from the folder of the case
-static fileName inCase(fileName file)
-{
-    file.expand();
-    return file.isAbsolute() ? file : getEnv("FOAM_CASE")/file;
-}
-
 
 //- Values of a line, without the space around them
 static wordList splitLine(const string& line)
@@ -159,7 +151,7 @@ Foam::fsi::csvPlacement::csvPlacement
 )
 :
     placement(name, dict, {"file"}, 0, 0),
-    file_(inCase(dict.get<fileName>("file")))
+    file_(readCaseFile(dict, "file"))
 {}
 
 

@@ -210,6 +210,13 @@ Foam::fsi::placedObject Foam::fsi::placement::newObject
     object.placement = name_;
     if (velocityPerturbation_ > 0)
     {
+        if (magSqr(velocity) == 0)
+        {
+            FatalIOErrorInFunction(dict_)
+                << "Entry 'velocityPerturbation' of placement " << name_
+                << " is relative to the velocity, but the velocity of an"
+                << " object is zero (entry 'velocity')" << exit(FatalIOError);
+        }
         object.velocity +=
             velocityPerturbation_*mag(velocity)*randomInDisc();
     }
