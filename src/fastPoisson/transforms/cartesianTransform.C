@@ -126,25 +126,6 @@ Foam::fsi::cartesianTransform::cartesianTransform(const polyMesh& mesh)
             << "use cartesianMG or GAMG for this mesh." << exit(FatalError);
     }
 
-    // Ranks must hold boxes: scattered cells do not arrive in order
-    labelVector lower(labelMax, labelMax, labelMax);
-    labelVector upper(labelMin, labelMin, labelMin);
-    for (const labelVector& cell : lattice_.map().cells())
-    {
-        lower = min(lower, cell);
-        upper = max(upper, cell);
-    }
-    const labelVector span(upper - lower + labelVector::one);
-    const bool isBox =
-        mesh.nCells() == 0
-     || span.x()*span.y()*span.z() == mesh.nCells();
-    if (total(scalar(isBox ? 0 : 1)) > 0)
-    {
-        FatalErrorInFunction
-            << "cartesianFFT needs ranks that hold boxes of cells, as the "
-            << "methods simple and hierarchical make them; use cartesianMG "
-            << "or GAMG for this decomposition." << exit(FatalError);
-    }
     for (scalarField* field : {&x_, &r_, &Ax_})
     {
         field->setSize(lattice_.layout().size(), 0);
