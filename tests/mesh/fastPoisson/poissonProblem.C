@@ -70,6 +70,26 @@ Foam::scalar Foam::fsi::poissonProblem::random
 }
 
 
+Foam::scalar Foam::fsi::poissonProblem::openPart
+(
+    const label celli,
+    const vector& area,
+    const std::function<scalar(const labelVector&, direction)>& open
+) const
+{
+    labelVector high(lattice_.cells()[celli]);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mag(area[d]) > 0.5*mag(area))
+        {
+            high[d] += area[d] > 0 ? 1 : 0;
+            return open(high, d);
+        }
+    }
+    return 0;
+}
+
+
 void Foam::fsi::poissonProblem::setSource()
 {
     source_ =
@@ -163,23 +183,32 @@ void Foam::fsi::poissonProblem::mask
         fluid[celli] = solid(lattice_.cells()[celli]) ? 0 : 1;
     }
     fluid.correctBoundaryConditions();
-    forAll(gamma_, facei)
+    gamma_ = pos(linearInterpolate(fluid) - 0.75);
+    if (open)
     {
-        const label own = mesh.owner()[facei];
-        const label nei = mesh.neighbour()[facei];
-        const labelVector step =
-            lattice_.cells()[nei] - lattice_.cells()[own];
-        const direction d = step.x() ? 0 : step.y() ? 1 : 2;
-        const labelVector& high = lattice_.cells()[step[d] > 0 ? nei : own];
-        gamma_[facei] = open ? open(high, d) : fluid[own]*fluid[nei];
+        forAll(gamma_, facei)
+        {
+            gamma_[facei] =
+                openPart(mesh.owner()[facei], mesh.Sf()[facei], open);
+        }
     }
 
     // A row without couplings needs a diagonal; walls are none
     for (fvsPatchScalarField& patch : gamma_.boundaryFieldRef())
     {
-        if (!patch.coupled())
+        forAll(patch, i)
         {
-            patch = 0;
+            if (!patch.coupled())
+            {
+                patch[i] = 0;
+            }
+            else if (open)
+            {
+                patch[i] = openPart
+                (
+                    patch.patch().faceCells()[i], patch.patch().Sf()[i], open
+                );
+            }
         }
     }
     added_.primitiveFieldRef() =
@@ -215,6 +244,28 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::poissonProblem::equation()
         eqn.ref().setReference(Pstream::master() ? 0 : -1, reference_);
     }
     return eqn;
+}
+
+
+Foam::tmp<Foam::fvScalarMatrix>
+Foam::fsi::poissonProblem::completeEquation()
+{
+    tmp<fvScalarMatrix> teqn(equation());
+    fvScalarMatrix& eqn = teqn.ref();
+    forAll(p_.boundaryField(), patchi)
+    {
+        const labelUList& cells = eqn.lduAddr().patchAddr(patchi);
+        const bool coupled = p_.boundaryField()[patchi].coupled();
+        forAll(cells, i)
+        {
+            eqn.diag()[cells[i]] += eqn.internalCoeffs()[patchi][i];
+            if (!coupled)
+            {
+                eqn.source()[cells[i]] += eqn.boundaryCoeffs()[patchi][i];
+            }
+        }
+    }
+    return teqn;
 }
 
 
