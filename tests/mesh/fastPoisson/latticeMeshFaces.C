@@ -22,10 +22,9 @@ Foam::label Foam::fsi::latticeMesh::node(const labelVector& ijk)
     const labelVector& n = options_.n;
     const label key =
         ijk.x() + (n.x() + 1)*(ijk.y() + (n.y() + 1)*ijk.z());
-    const auto found = nodes_.find(key);
-    if (found != nodes_.end())
+    if (nodes_[key] >= 0)
     {
-        return found->second;
+        return nodes_[key];
     }
     point position
     (

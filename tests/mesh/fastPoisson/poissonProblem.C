@@ -9,6 +9,7 @@
 #include "fvScalarMatrix.H"
 #include "fixedValueFvPatchFields.H"
 #include "zeroGradientFvPatchFields.H"
+#include <ctime>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -279,7 +280,10 @@ Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
     IStringStream text(controls);
     const dictionary dict(text);
 
-    const solverPerformance performance = equation()->solve(dict);
+    tmp<fvScalarMatrix> eqn(equation());
+    const std::clock_t start = std::clock();
+    const solverPerformance performance = eqn.ref().solve(dict);
+    const scalar seconds = scalar(std::clock() - start)/CLOCKS_PER_SEC;
 
     poissonResult result
     {
@@ -288,7 +292,8 @@ Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
         performance.nIterations(),
         performance.initialResidual(),
         performance.finalResidual(),
-        performance.converged()
+        performance.converged(),
+        returnReduce(seconds, maxOp<scalar>())
     };
     if (singular_)
     {
