@@ -2,6 +2,7 @@
 
 #include "stencil.H"
 #include "vectorClones.H"
+#include <cstring>
 
 namespace Foam
 {
@@ -26,14 +27,17 @@ FSI_INLINE void rowFromZero
     #pragma omp simd
     for (int i = 0; i < A.nx; ++i)
     {
-        const float value = b[row + i]*inverse[row + i];
-        x[row + i] = ((i + odd) & 1) ? 0.0f : value;
+        const float mine = float((i + odd + 1) & 1);
+        x[row + i] = mine*(b[row + i]*inverse[row + i]);
     }
 }
 
 
-// Red or black cells of row r. The iterations are independent: a cell of the
-// colour reads none of its colour, and the others keep their value
+// Red or black cells of row r. A cell of the colour reads none of its colour,
+// and the others keep their value, by a product with 0 or 1: a condition would
+// keep the loop from being vectorised where floating-point errors are trapped.
+// By way of a row of work: loads that overlap what has just been stored would
+// have to wait for it
 template<bool threeD>
 FSI_INLINE void rowSweep
 (
@@ -41,7 +45,8 @@ FSI_INLINE void rowSweep
     const int r,
     const int colour,
     const float* b,
-    float* x
+    float* x,
+    float* __restrict__ work
 )
 {
     const int row = A.row(r);
@@ -53,7 +58,6 @@ FSI_INLINE void rowSweep
     const float* __restrict__ az = A.face[2] + row;
     const float* __restrict__ inverse = A.inverse + row;
     const float* __restrict__ source = b + row;
-    const float* old = unrelated(x + row);
     float* value = x + row;
 
     #pragma omp simd
@@ -61,15 +65,16 @@ FSI_INLINE void rowSweep
     {
         float sum =
             source[i]
-          + ax[i]*old[i - 1] + ax[i + 1]*old[i + 1]
-          + ay[i]*old[i - sy] + ay[i + sy]*old[i + sy];
+          + ax[i]*value[i - 1] + ax[i + 1]*value[i + 1]
+          + ay[i]*value[i - sy] + ay[i + sy]*value[i + sy];
         if (threeD)
         {
-            sum += az[i]*old[i - sz] + az[i + sz]*old[i + sz];
+            sum += az[i]*value[i - sz] + az[i + sz]*value[i + sz];
         }
-        sum *= inverse[i];
-        value[i] = ((i + odd) & 1) ? old[i] : sum;
+        const float mine = float((i + odd + 1) & 1);
+        work[i] = mine*(sum*inverse[i]) + (1.0f - mine)*value[i];
     }
+    std::memcpy(value, work, A.nx*sizeof(float));
 }
 
 
@@ -79,12 +84,13 @@ FSI_INLINE void allRows
     const stencil<float>& A,
     const int colour,
     const float* b,
-    float* x
+    float* x,
+    float* work
 )
 {
     for (int r = 0; r < A.ny*A.nz; ++r)
     {
-        rowSweep<threeD>(A, r, colour, b, x);
+        rowSweep<threeD>(A, r, colour, b, x, work);
     }
 }
 
@@ -97,7 +103,8 @@ FSI_INLINE void bothColours
     const stencil<float>& A,
     const int colour,
     const float* b,
-    float* x
+    float* x,
+    float* work
 )
 {
     const int nRows = A.ny*A.nz;
@@ -112,12 +119,12 @@ FSI_INLINE void bothColours
             }
             else
             {
-                rowSweep<threeD>(A, r, colour, b, x);
+                rowSweep<threeD>(A, r, colour, b, x, work);
             }
         }
         if (r >= lag)
         {
-            rowSweep<threeD>(A, r - lag, 1 - colour, b, x);
+            rowSweep<threeD>(A, r - lag, 1 - colour, b, x, work);
         }
     }
 }
@@ -147,30 +154,37 @@ void sweep
     const stencil<float>& A,
     const int colour,
     const float* b,
-    float* x
+    float* x,
+    float* work
 )
 {
     if (A.threeD)
     {
-        allRows<true>(A, colour, b, x);
+        allRows<true>(A, colour, b, x, work);
     }
     else
     {
-        allRows<false>(A, colour, b, x);
+        allRows<false>(A, colour, b, x, work);
     }
 }
 
 
 FSI_VECTOR_CLONES
-void sweepsFromZero(const stencil<float>& A, const float* b, float* x)
+void sweepsFromZero
+(
+    const stencil<float>& A,
+    const float* b,
+    float* x,
+    float* work
+)
 {
     if (A.threeD)
     {
-        bothColours<true, true>(A, 0, b, x);
+        bothColours<true, true>(A, 0, b, x, work);
     }
     else
     {
-        bothColours<false, true>(A, 0, b, x);
+        bothColours<false, true>(A, 0, b, x, work);
     }
 }
 
@@ -181,16 +195,17 @@ void sweeps
     const stencil<float>& A,
     const int colour,
     const float* b,
-    float* x
+    float* x,
+    float* work
 )
 {
     if (A.threeD)
     {
-        bothColours<true, false>(A, colour, b, x);
+        bothColours<true, false>(A, colour, b, x, work);
     }
     else
     {
-        bothColours<false, false>(A, colour, b, x);
+        bothColours<false, false>(A, colour, b, x, work);
     }
 }
 

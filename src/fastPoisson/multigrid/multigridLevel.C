@@ -148,11 +148,11 @@ void Foam::fsi::multigridLevel::smoothDown(const bool fromZero)
     {
         if (fromZero)
         {
-            sweepsFromZero(A_, b, x);
+            sweepsFromZero(A_, b, x, work_.data());
         }
         else
         {
-            sweeps(A_, 0, b, x);
+            sweeps(A_, 0, b, x, work_.data());
         }
         return;
     }
@@ -164,10 +164,10 @@ void Foam::fsi::multigridLevel::smoothDown(const bool fromZero)
     else
     {
         halo_.fill(x);
-        sweep(A_, 0, b, x);
+        sweep(A_, 0, b, x, work_.data());
     }
     halo_.fill(x);
-    sweep(A_, 1, b, x);
+    sweep(A_, 1, b, x, work_.data());
     halo_.fill(x);
 }
 
@@ -178,13 +178,13 @@ void Foam::fsi::multigridLevel::smoothUp()
     float* x = x_.data();
     if (!layout_.coupled())
     {
-        sweeps(A_, 1, b, x);
+        sweeps(A_, 1, b, x, work_.data());
         return;
     }
     halo_.fill(x);
-    sweep(A_, 1, b, x);
+    sweep(A_, 1, b, x, work_.data());
     halo_.fill(x);
-    sweep(A_, 0, b, x);
+    sweep(A_, 0, b, x, work_.data());
 }
 
 

@@ -11,15 +11,30 @@ Description
     largest value. Fails if a solver did not find it.
 
 Usage
-    poissonTables patches2D|patches3D|discs N [REPEATS] [-parallel]
+    poissonTables patches2D|patches3D|discs N REPEATS [-solver NAME]
+        [-parallel]
 
-    On N cells a side. See patchTable.C and discTable.C.
+    On N cells a side, each solution repeated. See patchTable.C, discTable.C.
 \*---------------------------------------------------------------------------*/
 
 #include "poissonTables.H"
 #include "argList.H"
 #include <algorithm>
 #include <cstdio>
+
+// * * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+// The only solver that is asked for; empty: all
+std::string wanted;
+
+// Solutions are not repeated for longer than this [s]
+constexpr Foam::scalar longest = 10;
+
+} // End namespace
+
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -44,6 +59,14 @@ std::vector<Foam::fsi::namedSolver> Foam::fsi::solvers
     {
         result.push_back({"cartesianFFT", "solver cartesianFFT;"});
     }
+    const auto others = [](const namedSolver& solver)
+    {
+        return !wanted.empty() && wanted != solver.name;
+    };
+    result.erase
+    (
+        std::remove_if(result.begin(), result.end(), others), result.end()
+    );
     return result;
 }
 
@@ -64,13 +87,15 @@ Foam::fsi::measurement Foam::fsi::measure
     measurement found{problem.solve(controls), 0, 0};
     found.firstSeconds = found.result.seconds;
     std::vector<scalar> seconds;
-    for (label i = 0; i < repeats; ++i)
+    scalar total = found.firstSeconds;
+    for (label i = 0; i < repeats && total < longest; ++i)
     {
         seconds.push_back(problem.solve(controls).seconds);
+        total += seconds.back();
     }
     std::sort(seconds.begin(), seconds.end());
     found.seconds =
-        repeats > 0 ? seconds[repeats/2] : found.firstSeconds;
+        seconds.empty() ? found.firstSeconds : seconds[seconds.size()/2];
     return found;
 }
 
@@ -123,6 +148,7 @@ int main(int argc, char* argv[])
     argList::addArgument("table");
     argList::addArgument("cells");
     argList::addArgument("repeats");
+    argList::addOption("solver", "name", "use this solver only");
     argList args(argc, argv, true, false);
 
     // Solvers' own lines are not wanted
@@ -131,6 +157,7 @@ int main(int argc, char* argv[])
     const word table(args[1]);
     const label n = args.get<label>(2);
     const label repeats = args.get<label>(3);
+    wanted = args.lookupOrDefault<string>("solver", "");
     const bool passed =
         table == "patches2D" ? fsi::patchTable(2, n, repeats)
       : table == "patches3D" ? fsi::patchTable(3, n, repeats)
