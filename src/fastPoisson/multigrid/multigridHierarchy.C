@@ -9,7 +9,7 @@ namespace
 {
 
 // Cells of a level that is solved directly
-constexpr Foam::label coarsestCells = 100;
+constexpr Foam::label coarsestCells = 36;
 
 // Directions whose coupling is at least this part of the strongest coarsen
 constexpr Foam::scalar strongCoupling = 0.4;
