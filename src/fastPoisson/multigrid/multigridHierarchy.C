@@ -187,11 +187,9 @@ void Foam::fsi::multigridHierarchy::cycle
     multigridLevel& coarse = levels_[leveli + 1];
     const levelShift& shift = shift_[leveli];
 
-    level.smoothDown(fromZero);
-    level.restrictTo(shift, coarse);
+    level.down(fromZero, shift, coarse);
     solve(leveli + 1);
-    level.correctFrom(shift, coarse);
-    level.smoothUp();
+    level.up(shift, coarse);
 }
 
 

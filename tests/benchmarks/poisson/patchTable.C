@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "poissonTables.H"
-#include "OSspecific.H"
+#include <algorithm>
 #include <cstdio>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -94,9 +94,14 @@ bool Foam::fsi::patchTable
         latticeMesh mesh(options);
         for (const std::vector<label>& combination : combinations(nDims))
         {
-            if (std::count(combination.begin(), combination.end(), 3) == nCyclic)
+            const label count =
+                std::count(combination.begin(), combination.end(), 3);
+            if (count == nCyclic)
             {
-                std::string name(std::to_string(n) + '^' + std::to_string(nDims));
+                std::string name
+                (
+                    std::to_string(n) + '^' + std::to_string(nDims)
+                );
                 char separator = ',';
                 for (const label kind : combination)
                 {
