@@ -3,7 +3,6 @@
 
 import os
 import re
-import resource
 import statistics
 import subprocess
 import time
@@ -42,6 +41,9 @@ def run_steps(path, *command, ranks=1, limit=3600):
                              else cpu_seconds(process.pid))
             if time.monotonic() > end:
                 process.kill()
+        # Memory of this run alone, and of the ranks that mpirun waited for
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
     text = "".join(lines)
     with open(os.path.join(path, "log." + command[0]), "w",
               encoding="utf-8") as stream:
@@ -52,10 +54,9 @@ def run_steps(path, *command, ranks=1, limit=3600):
     steps = [b - a for a, b in zip(clock, clock[1:])][WARM_UP:]
     counts = [int(n) for n in
               re.findall(r"for p, .*No Iterations (\d+)", text)]
-    memory = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss/1024
     return {"seconds": statistics.median(steps), "steps": len(steps),
             "iterations": statistics.median(counts) if counts else 0,
-            "memory": memory}
+            "memory": usage.ru_maxrss/1024}
 
 
 def shares(path):

@@ -127,7 +127,6 @@ class Scenario(fsiCase.Case):
 
     def stock(self, path):
         """The same mesh, fields and step for icoFoam with GAMG."""
-        fsiCase.copy(self.path, path)
         other = Stock(path, self)
         other.run("blockMesh")
         return other
