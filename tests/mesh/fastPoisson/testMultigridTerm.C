@@ -75,7 +75,7 @@ public:
 
 TEST(cartesianMultigrid, solvesWithATerm)
 {
-    latticeOptions options(box(64, 64));
+    latticeOptions options(box(32, 32));
 
     // Ranks' boxes, and cells scattered over the ranks
     for (const bool scattered : {false, true})
@@ -95,7 +95,7 @@ TEST(cartesianMultigrid, solvesWithATerm)
         for (const scalar stiffness : {0.01, 1.0})
         {
             // b = (A + K) x for a known x
-            const squares term(mesh, 4, stiffness);
+            const squares term(mesh, 2, stiffness);
             const scalarField& exact = problem.exact();
             scalarField b(exact.size());
             eqn().Amul
