@@ -143,6 +143,10 @@ Foam::fsi::blockLayout Foam::fsi::blockPartition::layout
 ) const
 {
     const label mine = rank_.find(rank);
+    if (mine < 0)
+    {
+        return blockLayout();
+    }
     const labelVector position
     (
         mine % nBoxes(0),
@@ -173,22 +177,34 @@ Foam::fsi::blockLayout Foam::fsi::blockPartition::layout
 }
 
 
-Foam::fsi::blockPartition Foam::fsi::blockPartition::whole
-(
-    const bool padded
-) const
+Foam::fsi::blockPartition Foam::fsi::blockPartition::whole() const
 {
     blockPartition one(*this);
-    if (!padded)
-    {
-        one.pad_ = labelVector(0, 0, 0);
-    }
     for (direction d = 0; d < 3; ++d)
     {
         one.cuts_[d] = labelList({0, n(d)});
     }
     one.rank_ = labelList(1, label(0));
     return one;
+}
+
+
+Foam::fsi::blockPartition Foam::fsi::blockPartition::slabs
+(
+    const direction d,
+    const label nSlabs
+) const
+{
+    blockPartition result(whole());
+    const label nBoxes = min(nSlabs, n(d));
+    result.pad_ = labelVector(0, 0, 0);
+    result.rank_ = identity(nBoxes);
+    result.cuts_[d].setSize(nBoxes + 1);
+    forAll(result.cuts_[d], i)
+    {
+        result.cuts_[d][i] = label(int64_t(n(d))*i/nBoxes);
+    }
+    return result;
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "cartesianLattice.H"
 #include "lduMesh.H"
+#include "Pstream.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -48,6 +49,12 @@ const Foam::polyMesh& Foam::fsi::cartesianLattice::meshOf
 Foam::label Foam::fsi::cartesianLattice::rank() const
 {
     return UPstream::parRun() ? UPstream::myProcNo(comm()) : label(0);
+}
+
+
+Foam::label Foam::fsi::cartesianLattice::nRanks() const
+{
+    return UPstream::parRun() ? UPstream::nProcs(comm()) : label(1);
 }
 
 

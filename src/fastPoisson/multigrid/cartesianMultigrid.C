@@ -48,7 +48,7 @@ Foam::scalar Foam::fsi::cartesianMultigrid::total(scalar value) const
 }
 
 
-void Foam::fsi::cartesianMultigrid::setFinest(const scalar* added)
+void Foam::fsi::cartesianMultigrid::setFinest(const scalarField& added)
 {
     const stencil<double>& A = matrix_.A();
     norm_ = 0;
@@ -64,26 +64,15 @@ void Foam::fsi::cartesianMultigrid::setFinest(const scalar* added)
     norm_ = norm_ > 0 ? norm_ : 1;
 
     multigridLevel& finest = hierarchy_.finest();
-    for (label r = 0; r < A.ny*A.nz; ++r)
+    for (direction d = 0; d < (A.threeD ? 3 : 2); ++d)
     {
-        const label row = A.row(r);
-        for (direction d = 0; d < (A.threeD ? 3 : 2); ++d)
-        {
-            float* to = finest.face(d).data();
-            for (label place = row; place < row + A.nx; ++place)
-            {
-                to[place] = float(A.face[d][place]/norm_);
-            }
-        }
-        for (label place = row; place < row + A.nx; ++place)
-        {
-            // Rounding of the row sum must not look like a Dirichlet patch
-            scalar excess = matrix_.rowSum()[place];
-            excess = mag(excess) < 1e-12*A.diagonal[place] ? 0 : excess;
-            excess += added ? added[place] : 0;
-            finest.excess()[place] = float(max(excess, scalar(0))/norm_);
-        }
+        scaled(A, 1/norm_, A.face[d], finest.face(d).data());
     }
+    setExcess
+    (
+        A, 1/norm_, matrix_.rowSum().cdata(), added.cdata(),
+        finest.excess().data()
+    );
 }
 
 
@@ -132,15 +121,16 @@ void Foam::fsi::cartesianMultigrid::update
             addedDiagonal.size() > 0, orOp<bool>(),
             UPstream::msgType(), lattice_.comm()
         );
+    // Ap_ is free between two solutions
+    Ap_ = 0;
     if (adds)
     {
-        // Ap_ is free between two solutions
         lattice_.transfer().toBlock
         (
             addedDiagonal, matrix_.sign(), Ap_.data()
         );
     }
-    setFinest(adds ? Ap_.cdata() : nullptr);
+    setFinest(Ap_);
     hierarchy_.update();
 }
 

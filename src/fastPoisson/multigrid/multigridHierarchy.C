@@ -9,7 +9,7 @@ namespace
 {
 
 // Cells of a level that is solved directly
-constexpr Foam::label coarsestCells = 100;
+constexpr Foam::label coarsestCells = 36;
 
 // Directions whose coupling is at least this part of the strongest coarsen
 constexpr Foam::scalar strongCoupling = 0.4;
@@ -187,11 +187,9 @@ void Foam::fsi::multigridHierarchy::cycle
     multigridLevel& coarse = levels_[leveli + 1];
     const levelShift& shift = shift_[leveli];
 
-    level.smoothDown(fromZero);
-    level.restrictTo(shift, coarse);
+    level.down(fromZero, shift, coarse);
     solve(leveli + 1);
-    level.correctFrom(shift, coarse);
-    level.smoothUp();
+    level.up(shift, coarse);
 }
 
 

@@ -2,58 +2,6 @@
 
 #include "multigridLevel.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-float Foam::fsi::multigridLevel::faceSum(const label place) const
-{
-    float sum = 0;
-    for (direction d = 0; d < (A_.threeD ? 3 : 2); ++d)
-    {
-        sum += face_[d][place] + face_[d][place + layout_.stride(d)];
-    }
-    return sum;
-}
-
-
-void Foam::fsi::multigridLevel::addRowTo
-(
-    const label r,
-    const levelShift shift,
-    multigridLevel& coarse
-) const
-{
-    const label j = r % A_.ny;
-    const label k = r/A_.ny;
-    const label from = A_.row(r);
-    const label to = coarse.layout_.index(0, j >> shift.y, k >> shift.z);
-
-    // Is this row, or cell, the first of its aggregate
-    const bool firstY = (j >> shift.y) << shift.y == j;
-    const bool firstZ = (k >> shift.z) << shift.z == k;
-    const float weightX = shift.x ? 0.5f : 1.0f;
-    const float weightY = firstY ? (shift.y ? 0.5f : 1.0f) : 0.0f;
-    const float weightZ = firstZ ? (shift.z ? 0.5f : 1.0f) : 0.0f;
-    const label step = 1 << shift.x;
-
-    for (label i = 0; i < A_.nx; ++i)
-    {
-        // A cell on its own is solved on this level
-        const float sum = diagonal_[from + i] - excess_[from + i];
-        const label place = to + (i >> shift.x);
-        coarse.excess_[place] += sum > 0 ? excess_[from + i] : 0.0f;
-        coarse.face_[1][place] += weightY*face_[1][from + i];
-        if (A_.threeD)
-        {
-            coarse.face_[2][place] += weightZ*face_[2][from + i];
-        }
-    }
-    for (label i = 0; i < A_.nx; i += step)
-    {
-        coarse.face_[0][to + (i >> shift.x)] += weightX*face_[0][from + i];
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::multigridLevel::multigridLevel
@@ -98,17 +46,7 @@ void Foam::fsi::multigridLevel::finish()
     {
         halo_.fillHigh(d, face_[d].data());
     }
-    for (label r = 0; r < A_.ny*A_.nz; ++r)
-    {
-        const label row = A_.row(r);
-        for (label place = row; place < row + A_.nx; ++place)
-        {
-            const float sum = faceSum(place);
-            const float diagonal = sum + excess_[place];
-            diagonal_[place] = diagonal;
-            inverse_[place] = diagonal > 0 ? 1.0f/diagonal : 0.0f;
-        }
-    }
+    setDiagonal(A_, excess_.cdata(), diagonal_.data(), inverse_.data());
 }
 
 
@@ -116,17 +54,22 @@ void Foam::fsi::multigridLevel::coarsen
 (
     const levelShift shift,
     multigridLevel& coarse
-) const
+)
 {
     coarse.excess_ = 0;
     for (List<float>& face : coarse.face_)
     {
         face = 0;
     }
-    for (label r = 0; r < A_.ny*A_.nz; ++r)
+    float* const face[3] =
     {
-        addRowTo(r, shift, coarse);
-    }
+        coarse.face_[0].data(), coarse.face_[1].data(), coarse.face_[2].data()
+    };
+    coarsenCoefficients
+    (
+        A_, excess_.cdata(), coarse.A_, shift, face, coarse.excess_.data(),
+        work_.data()
+    );
 
     // Cyclic, and one cell long: a cell does not couple with itself
     for (direction d = 0; d < 3; ++d)
@@ -140,20 +83,20 @@ void Foam::fsi::multigridLevel::coarsen
 }
 
 
-void Foam::fsi::multigridLevel::smoothDown(const bool fromZero)
+void Foam::fsi::multigridLevel::down
+(
+    const bool fromZero,
+    const levelShift shift,
+    multigridLevel& coarse
+)
 {
     const float* b = b_.cdata();
     float* x = x_.data();
+    float* coarseB = coarse.b_.data();
+    float* work = work_.data();
     if (!layout_.coupled())
     {
-        if (fromZero)
-        {
-            sweepsFromZero(A_, b, x);
-        }
-        else
-        {
-            sweeps(A_, 0, b, x);
-        }
+        downwards(A_, fromZero, b, x, coarse.A_, shift, coarseB, work);
         return;
     }
 
@@ -164,51 +107,35 @@ void Foam::fsi::multigridLevel::smoothDown(const bool fromZero)
     else
     {
         halo_.fill(x);
-        sweep(A_, 0, b, x);
+        sweep(A_, 0, b, x, work);
     }
     halo_.fill(x);
-    sweep(A_, 1, b, x);
+    sweep(A_, 1, b, x, work);
     halo_.fill(x);
+    restrictResidual(A_, b, x, coarse.A_, shift, coarseB, work);
 }
 
 
-void Foam::fsi::multigridLevel::smoothUp()
-{
-    const float* b = b_.cdata();
-    float* x = x_.data();
-    if (!layout_.coupled())
-    {
-        sweeps(A_, 1, b, x);
-        return;
-    }
-    halo_.fill(x);
-    sweep(A_, 1, b, x);
-    halo_.fill(x);
-    sweep(A_, 0, b, x);
-}
-
-
-void Foam::fsi::multigridLevel::restrictTo
-(
-    const levelShift shift,
-    multigridLevel& coarse
-)
-{
-    restrictResidual
-    (
-        A_, b_.cdata(), x_.cdata(), coarse.A_, shift,
-        coarse.b_.data(), work_.data()
-    );
-}
-
-
-void Foam::fsi::multigridLevel::correctFrom
+void Foam::fsi::multigridLevel::up
 (
     const levelShift shift,
     const multigridLevel& coarse
 )
 {
-    addCoarse(A_, coarse.A_, shift, coarse.x_.cdata(), x_.data());
+    const float* b = b_.cdata();
+    const float* coarseX = coarse.x_.cdata();
+    float* x = x_.data();
+    float* work = work_.data();
+    if (!layout_.coupled())
+    {
+        upwards(A_, b, x, coarse.A_, shift, coarseX, work);
+        return;
+    }
+    addCoarse(A_, coarse.A_, shift, coarseX, x);
+    halo_.fill(x);
+    sweep(A_, 1, b, x, work);
+    halo_.fill(x);
+    sweep(A_, 0, b, x, work);
 }
 
 

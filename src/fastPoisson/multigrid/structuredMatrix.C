@@ -73,25 +73,6 @@ void Foam::fsi::structuredMatrix::setPatch
 }
 
 
-void Foam::fsi::structuredMatrix::setRowSum()
-{
-    for (label r = 0; r < A_.ny*A_.nz; ++r)
-    {
-        const label row = A_.row(r);
-        for (label place = row; place < row + A_.nx; ++place)
-        {
-            scalar sum = 0;
-            for (direction d = 0; d < nDirections(); ++d)
-            {
-                const label stride = lattice_.layout().stride(d);
-                sum += face_[d][place] + face_[d][place + stride];
-            }
-            rowSum_[place] = diagonal_[place] - sum;
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::structuredMatrix::structuredMatrix(const cartesianLattice& lattice)
@@ -185,7 +166,7 @@ void Foam::fsi::structuredMatrix::update
         }
         halo_.fillHigh(d, face_[d].data());
     }
-    setRowSum();
+    rowSums(A_, rowSum_.data());
 }
 
 

@@ -19,13 +19,9 @@ constexpr double planningTime = 5;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-fftw_r2r_kind Foam::fsi::boxTransform::kind
-(
-    const direction d,
-    const bool back
-) const
+fftw_r2r_kind Foam::fsi::boxTransform::kind(const ends e, const bool back)
 {
-    switch (ends_[d])
+    switch (e)
     {
         case ends::gradient: return back ? FFTW_REDFT01 : FFTW_REDFT10;
         case ends::value: return back ? FFTW_RODFT01 : FFTW_RODFT10;
@@ -41,34 +37,51 @@ fftw_r2r_kind Foam::fsi::boxTransform::kind
 Foam::fsi::boxTransform::boxTransform
 (
     const labelVector& n,
-    const FixedList<ends, 3>& kinds
+    const FixedList<ends, 3>& kinds,
+    const FixedList<bool, 3>& use
 )
 :
-    n_(n),
-    ends_(kinds),
     // One place more: cellTransfer's arrays have a spare one
-    values_(fftw_alloc_real(size_t(n.x())*n.y()*n.z() + 1))
+    values_(fftw_alloc_real(size_t(n.x())*n.y()*n.z() + 1)),
+    forward_(nullptr),
+    backward_(nullptr)
 {
-    // FFTW's last direction is the fastest; thin directions are left out
-    int sizes[3];
-    fftw_r2r_kind forward[3];
-    fftw_r2r_kind backward[3];
-    int rank = 0;
+    // Directions that are transformed and that are only gone through, FFTW's
+    // last one the fastest; thin ones are left out
+    fftw_iodim sizes[3], loops[3];
+    fftw_r2r_kind forward[3], backward[3];
+    int nSizes = 0;
+    int nLoops = 0;
     for (int d = 2; d >= 0; --d)
     {
-        if (n_[d] > 1)
+        const int stride = d == 0 ? 1 : d == 1 ? n.x() : n.x()*n.y();
+        if (n[d] > 1 && use[d])
         {
-            sizes[rank] = n_[d];
-            forward[rank] = kind(d, false);
-            backward[rank] = kind(d, true);
-            ++rank;
+            sizes[nSizes] = fftw_iodim{n[d], stride, stride};
+            forward[nSizes] = kind(kinds[d], false);
+            backward[nSizes] = kind(kinds[d], true);
+            ++nSizes;
+        }
+        else if (n[d] > 1)
+        {
+            loops[nLoops++] = fftw_iodim{n[d], stride, stride};
         }
     }
-    const bool many = scalar(n.x())*n.y()*n.z() > manyCells;
-    const unsigned effort = many ? FFTW_MEASURE : FFTW_ESTIMATE;
+    const scalar nCells = scalar(n.x())*n.y()*n.z();
+    if (nSizes == 0 || nCells == 0)
+    {
+        return;
+    }
+    const unsigned effort = nCells > manyCells ? FFTW_MEASURE : FFTW_ESTIMATE;
     fftw_set_timelimit(planningTime);
-    forward_ = fftw_plan_r2r(rank, sizes, values_, values_, forward, effort);
-    backward_ = fftw_plan_r2r(rank, sizes, values_, values_, backward, effort);
+    forward_ = fftw_plan_guru_r2r
+    (
+        nSizes, sizes, nLoops, loops, values_, values_, forward, effort
+    );
+    backward_ = fftw_plan_guru_r2r
+    (
+        nSizes, sizes, nLoops, loops, values_, values_, backward, effort
+    );
 }
 
 
@@ -76,8 +89,11 @@ Foam::fsi::boxTransform::boxTransform
 
 Foam::fsi::boxTransform::~boxTransform()
 {
-    fftw_destroy_plan(forward_);
-    fftw_destroy_plan(backward_);
+    if (forward_)
+    {
+        fftw_destroy_plan(forward_);
+        fftw_destroy_plan(backward_);
+    }
     fftw_free(values_);
 }
 
@@ -86,16 +102,16 @@ Foam::fsi::boxTransform::~boxTransform()
 
 Foam::scalarField Foam::fsi::boxTransform::eigenvalues
 (
-    const direction d
-) const
+    const label n,
+    const ends e
+)
 {
     using constant::mathematical::pi;
-    const label n = n_[d];
     scalarField result(n, Zero);
     for (label m = 0; m < n && n > 1; ++m)
     {
         scalar wave = 0;
-        switch (ends_[d])
+        switch (e)
         {
             case ends::gradient: wave = pi*m/n; break;
             case ends::value: wave = pi*(m + 1)/n; break;
@@ -110,17 +126,9 @@ Foam::scalarField Foam::fsi::boxTransform::eigenvalues
 }
 
 
-Foam::scalar Foam::fsi::boxTransform::scale() const
+Foam::scalar Foam::fsi::boxTransform::scale(const label n, const ends e)
 {
-    scalar result = 1;
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (n_[d] > 1)
-        {
-            result *= (ends_[d] == ends::cyclic ? 1 : 2)*scalar(n_[d]);
-        }
-    }
-    return result;
+    return n > 1 ? (e == ends::cyclic ? 1 : 2)*scalar(n) : 1;
 }
 
 

@@ -12,51 +12,6 @@ Foam::scalar Foam::fsi::cartesianTransform::total(scalar value) const
 }
 
 
-void Foam::fsi::cartesianTransform::divide(double* values) const
-{
-    const label nx = eigenvalues_[0].size();
-    const scalar* x = eigenvalues_[0].cdata();
-    const scalar scale = transform_->scale();
-    double* row = values;
-    for (const scalar z : eigenvalues_[2])
-    {
-        for (const scalar y : eigenvalues_[1])
-        {
-            const scalar yz = y + z + coefficients_->diagonal();
-            const label first = (row == values && x[0] + yz <= 0) ? 1 : 0;
-            if (first)
-            {
-                row[0] /= zeroMode_*scale;
-            }
-            #pragma omp simd
-            for (label i = first; i < nx; ++i)
-            {
-                row[i] /= (x[i] + yz)*scale;
-            }
-            row += nx;
-        }
-    }
-}
-
-
-void Foam::fsi::cartesianTransform::apply
-(
-    const scalarField& r,
-    scalarField& z
-) const
-{
-    double* values = transform_ ? transform_->values() : nullptr;
-    transfer_.toBlock(r, 1, values);
-    if (transform_)
-    {
-        transform_->forward();
-        divide(values);
-        transform_->backward();
-    }
-    transfer_.toCells(values, 1, z);
-}
-
-
 void Foam::fsi::cartesianTransform::correct(scalarField& psi) const
 {
     // The reference cell's row is that of the others with e x_ref added: the
@@ -75,7 +30,7 @@ void Foam::fsi::cartesianTransform::correct(scalarField& psi) const
         }
     }
     lattice_.transfer().toCells(r_.cdata(), 1, cellR_);
-    apply(cellR_, cellZ_);
+    inverse_.apply(cellR_, cellZ_);
 
     if (shifts)
     {
@@ -113,8 +68,7 @@ Foam::fsi::cartesianTransform::cartesianTransform(const polyMesh& mesh)
 :
     lattice_(cartesianLattice::New(mesh)),
     matrix_(lattice_),
-    transfer_(lattice_.map(), lattice_.partition().whole(false)),
-    zeroMode_(1),
+    inverse_(lattice_),
     cellR_(mesh.nCells()),
     cellZ_(mesh.nCells())
 {
@@ -126,25 +80,6 @@ Foam::fsi::cartesianTransform::cartesianTransform(const polyMesh& mesh)
             << "use cartesianMG or GAMG for this mesh." << exit(FatalError);
     }
 
-    // Ranks must hold boxes: scattered cells do not arrive in order
-    labelVector lower(labelMax, labelMax, labelMax);
-    labelVector upper(labelMin, labelMin, labelMin);
-    for (const labelVector& cell : lattice_.map().cells())
-    {
-        lower = min(lower, cell);
-        upper = max(upper, cell);
-    }
-    const labelVector span(upper - lower + labelVector::one);
-    const bool isBox =
-        mesh.nCells() == 0
-     || span.x()*span.y()*span.z() == mesh.nCells();
-    if (total(scalar(isBox ? 0 : 1)) > 0)
-    {
-        FatalErrorInFunction
-            << "cartesianFFT needs ranks that hold boxes of cells, as the "
-            << "methods simple and hierarchical make them; use cartesianMG "
-            << "or GAMG for this decomposition." << exit(FatalError);
-    }
     for (scalarField* field : {&x_, &r_, &Ax_})
     {
         field->setSize(lattice_.layout().size(), 0);
@@ -175,24 +110,7 @@ void Foam::fsi::cartesianTransform::update
             << exit(FatalError);
     }
 
-    const FixedList<boxTransform::ends, 3> kinds(found.kinds());
-    if (lattice_.rank() == 0)
-    {
-        if (!transform_ || transform_->kinds() != kinds)
-        {
-            transform_.reset
-            (
-                new boxTransform(lattice_.map().n(), kinds)
-            );
-        }
-        for (direction d = 0; d < 3; ++d)
-        {
-            eigenvalues_[d] = found.face()[d]*transform_->eigenvalues(d);
-        }
-        // A preconditioner must not lose the constant: as the longest wave
-        const label longest = eigenvalues_[0].size() > 1 ? 1 : 0;
-        zeroMode_ = max(eigenvalues_[0][longest], VSMALL);
-    }
+    inverse_.set(found.kinds(), found.face(), found.diagonal());
 }
 
 
@@ -203,7 +121,7 @@ void Foam::fsi::cartesianTransform::precondition
 ) const
 {
     cellR_ = matrix_.sign()*r;
-    apply(cellR_, z);
+    inverse_.apply(cellR_, z);
 }
 
 

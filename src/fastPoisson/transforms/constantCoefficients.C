@@ -111,7 +111,7 @@ void Foam::fsi::constantCoefficients::findSides()
     for (label side = 0; side < 6; ++side)
     {
         // 2 a for a value, as it is half a cell away; 0 for a gradient
-        fixed_[side] = least[side] - diagonal_ > face_[side/2];
+        fixed_[side] = least[side] - diagonal_ > 1.5*face_[side/2];
         fixed_[side] = fixed_[side] && face_[side/2] > 0;
     }
 }

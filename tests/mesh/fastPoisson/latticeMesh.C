@@ -174,7 +174,11 @@ void Foam::fsi::latticeMesh::makeMesh()
 
 Foam::fsi::latticeMesh::latticeMesh(const latticeOptions& options)
 :
-    options_(options)
+    options_(options),
+    nodes_
+    (
+        (options.n.x() + 1)*(options.n.y() + 1)*(options.n.z() + 1), -1
+    )
 {
     numberCells();
     makeTime();

@@ -22,10 +22,9 @@ Foam::label Foam::fsi::latticeMesh::node(const labelVector& ijk)
     const labelVector& n = options_.n;
     const label key =
         ijk.x() + (n.x() + 1)*(ijk.y() + (n.y() + 1)*ijk.z());
-    const auto found = nodes_.find(key);
-    if (found != nodes_.end())
+    if (nodes_[key] >= 0)
     {
-        return found->second;
+        return nodes_[key];
     }
     point position
     (
@@ -113,19 +112,40 @@ void Foam::fsi::latticeMesh::makeOuterPatches()
     }
     patch("holes", "wall");
 
-    // All ranks have the processor patches in the same order
-    for (label low = 0; low < Pstream::nProcs(); ++low)
+    // Two ranks must have the patches they share in the same order
+    for (label other = 0; other < Pstream::nProcs(); ++other)
     {
-        for (label high = low + 1; high < Pstream::nProcs(); ++high)
+        if (other != Pstream::myProcNo())
         {
-            const label me = Pstream::myProcNo();
-            if (me == low || me == high)
+            makeSharedPatches(other);
+        }
+    }
+}
+
+
+void Foam::fsi::latticeMesh::makeSharedPatches(const label other)
+{
+    const word name("procBoundaryTo" + Foam::name(other));
+    const auto addRanks = [&](patchFaces& shared)
+    {
+        shared.dict.add("myProcNo", label(Pstream::myProcNo()));
+        shared.dict.add("neighbProcNo", other);
+    };
+    addRanks(patch(name, "processor"));
+
+    // What is the low side for one rank is the high side for the other
+    const label first = other < Pstream::myProcNo() ? 1 : 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (const label side : {first, 1 - first})
+        {
+            if (options_.cyclic[d])
             {
-                const label other = me == low ? high : low;
+                const word refer(sideNames[d][side]);
                 patchFaces& shared =
-                    patch("procBoundaryTo" + Foam::name(other), "processor");
-                shared.dict.add("myProcNo", me);
-                shared.dict.add("neighbProcNo", other);
+                    patch(name + "through" + refer, "processorCyclic");
+                shared.dict.add("referPatch", refer);
+                addRanks(shared);
             }
         }
     }
@@ -152,12 +172,6 @@ void Foam::fsi::latticeMesh::addSharedFace
         name += word("through") + sideNames[d][side];
     }
     patchFaces& shared = patch(name, wraps ? "processorCyclic" : "processor");
-    if (wraps && !shared.dict.found("referPatch"))
-    {
-        shared.dict.add("referPatch", word(sideNames[d][side]));
-        shared.dict.add("myProcNo", label(Pstream::myProcNo()));
-        shared.dict.add("neighbProcNo", other);
-    }
     shared.faces[key] = {cellFace(ijk, d, side), cellAt_[place(ijk)]};
 }
 

@@ -142,4 +142,35 @@ Foam::scalar Foam::fsi::discs::open
 }
 
 
+void Foam::fsi::maskByDiscs
+(
+    poissonProblem& problem,
+    const label n,
+    const label nRow,
+    const bool voxel
+)
+{
+    const scalar h = 1.0/n;
+    const discs walls(nRow);
+    const auto solid = [&](const labelVector& c)
+    {
+        return walls.distance((c.x() + 0.5)*h, (c.y() + 0.5)*h) <= 0;
+    };
+    const auto open = [&](const labelVector& c, const direction d)
+    {
+        return walls.open
+        (
+            c.x()*h, c.y()*h, (c.x() + (d == 1))*h, (c.y() + (d == 0))*h
+        );
+    };
+    problem.mask
+    (
+        solid,
+        voxel
+      ? std::function<scalar(const labelVector&, direction)>()
+      : open
+    );
+}
+
+
 // ************************************************************************* //

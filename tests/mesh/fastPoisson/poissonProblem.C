@@ -70,6 +70,26 @@ Foam::scalar Foam::fsi::poissonProblem::random
 }
 
 
+Foam::scalar Foam::fsi::poissonProblem::openPart
+(
+    const label celli,
+    const vector& area,
+    const std::function<scalar(const labelVector&, direction)>& open
+) const
+{
+    labelVector high(lattice_.cells()[celli]);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mag(area[d]) > 0.5*mag(area))
+        {
+            high[d] += area[d] > 0 ? 1 : 0;
+            return open(high, d);
+        }
+    }
+    return 0;
+}
+
+
 void Foam::fsi::poissonProblem::setSource()
 {
     source_ =
@@ -163,23 +183,32 @@ void Foam::fsi::poissonProblem::mask
         fluid[celli] = solid(lattice_.cells()[celli]) ? 0 : 1;
     }
     fluid.correctBoundaryConditions();
-    forAll(gamma_, facei)
+    gamma_ = pos(linearInterpolate(fluid) - 0.75);
+    if (open)
     {
-        const label own = mesh.owner()[facei];
-        const label nei = mesh.neighbour()[facei];
-        const labelVector step =
-            lattice_.cells()[nei] - lattice_.cells()[own];
-        const direction d = step.x() ? 0 : step.y() ? 1 : 2;
-        const labelVector& high = lattice_.cells()[step[d] > 0 ? nei : own];
-        gamma_[facei] = open ? open(high, d) : fluid[own]*fluid[nei];
+        forAll(gamma_, facei)
+        {
+            gamma_[facei] =
+                openPart(mesh.owner()[facei], mesh.Sf()[facei], open);
+        }
     }
 
     // A row without couplings needs a diagonal; walls are none
     for (fvsPatchScalarField& patch : gamma_.boundaryFieldRef())
     {
-        if (!patch.coupled())
+        forAll(patch, i)
         {
-            patch = 0;
+            if (!patch.coupled())
+            {
+                patch[i] = 0;
+            }
+            else if (open)
+            {
+                patch[i] = openPart
+                (
+                    patch.patch().faceCells()[i], patch.patch().Sf()[i], open
+                );
+            }
         }
     }
     added_.primitiveFieldRef() =
@@ -215,36 +244,6 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::poissonProblem::equation()
         eqn.ref().setReference(Pstream::master() ? 0 : -1, reference_);
     }
     return eqn;
-}
-
-
-Foam::fsi::poissonResult Foam::fsi::poissonProblem::solve
-(
-    const string& controls
-)
-{
-    p_.primitiveFieldRef() = 0;
-    p_.correctBoundaryConditions();
-    IStringStream text(controls);
-    const dictionary dict(text);
-
-    const solverPerformance performance = equation()->solve(dict);
-
-    poissonResult result
-    {
-        p_.primitiveField(),
-        0,
-        performance.nIterations(),
-        performance.initialResidual(),
-        performance.finalResidual(),
-        performance.converged()
-    };
-    if (singular_)
-    {
-        result.mean = gAverage(result.p);
-        result.p -= result.mean;
-    }
-    return result;
 }
 
 

@@ -5,8 +5,6 @@
 // coefficients as in a flow around discs that cover 41 % of a square
 
 #include <gtest/gtest.h>
-#include <cstdio>
-#include "cartesianMultigrid.H"
 #include "poissonProblem.H"
 #include "poissonCases.H"
 
@@ -29,28 +27,9 @@ label iterations
     options.n = labelVector(n, n, 1);
     latticeMesh mesh(options);
     poissonProblem problem(mesh, {});
-    const scalar h = 1.0/n;
-    const discs walls(nRow);
-    const auto solid = [&](const labelVector& c)
-    {
-        return walls.distance((c.x() + 0.5)*h, (c.y() + 0.5)*h) <= 0;
-    };
-    const auto open = [&](const labelVector& c, const direction d)
-    {
-        return walls.open
-        (
-            c.x()*h, c.y()*h, (c.x() + (d == 1))*h, (c.y() + (d == 0))*h
-        );
-    };
     if (nRow > 0)
     {
-        problem.mask
-        (
-            solid,
-            voxel
-          ? std::function<scalar(const labelVector&, direction)>()
-          : open
-        );
+        maskByDiscs(problem, n, nRow, voxel);
     }
     const poissonResult result = problem.solve
     (
@@ -93,38 +72,6 @@ TEST(maskedWalls, VCycleToo)
         for (const label nRow : {1, 10})
         {
             EXPECT_LE(iterations(192, nRow, voxel, "V"), 18);
-        }
-    }
-}
-
-
-// The benchmark's table: too long for every day
-TEST(maskedWalls, DISABLED_table)
-{
-    std::printf("table cells,discs,voxel,open area\n");
-    for (const label n : {256, 640, 1280})
-    {
-        label least[2] = {labelMax, labelMax};
-        label most[2] = {0, 0};
-        for (const label nRow : {0, 1, 10, 32})
-        {
-            label count[2];
-            for (const label voxel : {1, 0})
-            {
-                count[voxel] = iterations(n, nRow, voxel, "W");
-                least[voxel] = min(least[voxel], count[voxel]);
-                most[voxel] = max(most[voxel], count[voxel]);
-            }
-            std::printf
-            (
-                "table %d,%d,%d,%d\n", n, nRow*nRow, count[1], count[0]
-            );
-        }
-
-        // At 256^2 a thousand discs are six cells wide
-        for (const label voxel : {1, 0})
-        {
-            EXPECT_LE(most[voxel] - least[voxel], n > 256 ? 3 : 10) << n;
         }
     }
 }

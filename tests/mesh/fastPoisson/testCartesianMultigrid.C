@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// cartesianMultigrid as the coupling uses it: a symmetric positive operation,
+// for matrices that change from one solution to the next
+
+#include <gtest/gtest.h>
+#include "multigridCases.H"
+
+using namespace Foam;
+using namespace Foam::fsi;
+
+namespace
+{
+
+//- What must hold for conjugate gradients
+void checkSymmetry
+(
+    latticeMesh& mesh,
+    poissonProblem& problem,
+    const word& cycle
+)
+{
+    tmp<fvScalarMatrix> eqn(problem.completeEquation());
+    cartesianMultigrid multigrid(mesh.mesh(), smallGather(cycle));
+    multigrid.update(eqn(), eqn().boundaryCoeffs(), problem.interfaces());
+    EXPECT_GT(multigrid.nLevels(), 2);
+
+    const scalarField a(randomField(mesh, 1));
+    const scalarField b(randomField(mesh, 2));
+    scalarField Ma(a.size());
+    scalarField Mb(a.size());
+    multigrid.precondition(Ma, a);
+    multigrid.precondition(Mb, b);
+    const scalar aMa = gSumProd(a, Ma);
+    const scalar bMb = gSumProd(b, Mb);
+
+    // The matrix is negative
+    EXPECT_LT(aMa, 0) << cycle;
+    EXPECT_LT(bMb, 0) << cycle;
+    EXPECT_NEAR
+    (
+        gSumProd(a, Mb), gSumProd(b, Ma), 1e-5*Foam::sqrt(aMa*bMb)
+    ) << cycle;
+}
+
+} // End namespace
+
+
+TEST(cartesianMultigrid, isSymmetricAndPositive)
+{
+    for (latticeOptions options : {box(64, 45), box(16, 13, 18)})
+    {
+        options.cyclic[1] = true;
+        latticeMesh mesh(options);
+        poissonProblem problem(mesh, {"xMin"});
+        problem.randomCoefficients();
+        checkSymmetry(mesh, problem, "V");
+        checkSymmetry(mesh, problem, "W");
+    }
+}
+
+
+TEST(cartesianMultigrid, keepsCellsWithoutCouplings)
+{
+    latticeMesh mesh(box(64, 48));
+    poissonProblem problem(mesh, {});
+    const auto solid = [](const labelVector& c)
+    {
+        return c.x() % 8 < 3 && c.y() % 8 < 3;
+    };
+    problem.mask(solid, nullptr);
+    tmp<fvScalarMatrix> eqn(problem.completeEquation());
+    cartesianMultigrid multigrid(mesh.mesh(), smallGather());
+    multigrid.update(eqn(), eqn().boundaryCoeffs(), problem.interfaces());
+    scalarField z(mesh.cells().size());
+    const scalarField r(randomField(mesh, 3));
+    multigrid.precondition(z, r);
+    label nSolid = 0;
+    forAll(z, celli)
+    {
+        if (solid(mesh.cells()[celli]))
+        {
+            ++nSolid;
+            EXPECT_NEAR(z[celli], r[celli]/eqn().diag()[celli], 1e-6);
+        }
+    }
+    EXPECT_EQ(returnReduce(nSolid, sumOp<label>()), 8*6*9);
+}
+
+
+TEST(cartesianMultigrid, forgetsTheLastMatrix)
+{
+    // Open, masked, open again: as a new object, to the last bit
+    latticeMesh mesh(box(48, 40));
+    cartesianMultigrid used(mesh.mesh(), smallGather());
+    const scalarField b(randomField(mesh, 5));
+    for (const label masked : {0, 1, 0})
+    {
+        poissonProblem problem(mesh, {});
+        if (masked)
+        {
+            problem.mask
+            (
+                [](const labelVector& c)
+                {
+                    return c.x() % 9 < 4 && c.y() % 9 < 4;
+                },
+                nullptr
+            );
+        }
+        problem.addDiagonal(0.01);
+        tmp<fvScalarMatrix> eqn(problem.completeEquation());
+        const scalarField added(b.size(), masked ? -0.5 : 0);
+        cartesianMultigrid fresh(mesh.mesh(), smallGather());
+        scalarField x[2];
+        label i = 0;
+        for (cartesianMultigrid* multigrid : {&fresh, &used})
+        {
+            multigrid->update
+            (
+                eqn(), eqn().boundaryCoeffs(), problem.interfaces(),
+                masked ? added : scalarField()
+            );
+            x[i].setSize(b.size(), 0);
+            multigrid->solve
+            (
+                x[i], b, "p", cartesianMultigrid::loopControls()
+            );
+            ++i;
+        }
+        EXPECT_EQ(difference(x[0], x[1]), 0) << masked;
+        EXPECT_GT(gMax(mag(x[0])()), 0);
+    }
+}
+
+
+TEST(cartesianMultigrid, signDoesNotMatter)
+{
+    latticeMesh mesh(box(40, 30));
+    poissonProblem problem(mesh, {"yMin"});
+    scalarField x[2];
+    label count[2];
+    for (label positive = 0; positive < 2; ++positive)
+    {
+        tmp<fvScalarMatrix> eqn(problem.completeEquation());
+        if (positive)
+        {
+            eqn.ref().negate();
+        }
+        cartesianMultigrid multigrid(mesh.mesh(), smallGather());
+        multigrid.update(eqn(), eqn().boundaryCoeffs(), problem.interfaces());
+        x[positive].setSize(mesh.cells().size(), 0);
+        count[positive] = multigrid.solve
+        (
+            x[positive], eqn().source(), "p",
+            cartesianMultigrid::loopControls()
+        ).nIterations();
+    }
+    EXPECT_EQ(count[0], count[1]);
+    EXPECT_LT(difference(x[0], x[1]), 1e-12);
+    EXPECT_LT(difference(x[0], problem.exact()), 1e-3);
+}
+
+
+TEST(cartesianMultigrid, refusesAnUnknownCycle)
+{
+    latticeMesh mesh(box(8, 8));
+    EXPECT_THROW
+    (
+        cartesianMultigrid(mesh.mesh(), smallGather("F")), Foam::IOerror
+    );
+}
+
+
+// ************************************************************************* //

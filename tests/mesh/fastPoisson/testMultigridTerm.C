@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Conjugate gradients of cartesianMultigrid with a term beside the matrix, as
+// the coupling uses them
+
+#include <gtest/gtest.h>
+#include "multigridCases.H"
+
+using namespace Foam;
+using namespace Foam::fsi;
+
+namespace
+{
+
+//- Square objects of 6 x 6 cells in fields of 16 x 16 that each resist their
+//  compression, K = -sum over objects of stiffness g g^T, whichever ranks
+//  their cells are on. The matrix is negative, and so is K
+class squares
+:
+    public cartesianMultigrid::addedTerm
+{
+    const List<labelVector>& cells_;
+    label nRow_;
+    scalar stiffness_;
+
+    //- Share of a cell in its object, 0 outside
+    scalar share(const label celli) const
+    {
+        const labelVector& c = cells_[celli];
+        return (c.x() % 16 < 6 && c.y() % 16 < 6) ? 1 : 0;
+    }
+
+    label object(const label celli) const
+    {
+        const labelVector& c = cells_[celli];
+        return c.x()/16 + nRow_*(c.y()/16);
+    }
+
+public:
+
+    squares(const latticeMesh& mesh, label nRow, scalar stiffness)
+    :
+        cells_(mesh.cells()),
+        nRow_(nRow),
+        stiffness_(stiffness)
+    {}
+
+    //- The row sums of K
+    scalarField diagonal() const
+    {
+        scalarField ones(cells_.size(), 1);
+        scalarField result(cells_.size(), Zero);
+        add(result, ones);
+        return result;
+    }
+
+    void add(scalarField& Ax, const scalarField& x) const override
+    {
+        scalarField total(nRow_*nRow_, Zero);
+        forAll(cells_, celli)
+        {
+            total[object(celli)] += share(celli)*x[celli];
+        }
+        Pstream::listCombineGather(total, plusEqOp<scalar>());
+        Pstream::listCombineScatter(total);
+        forAll(cells_, celli)
+        {
+            Ax[celli] -= stiffness_*share(celli)*total[object(celli)];
+        }
+    }
+};
+
+} // End namespace
+
+
+TEST(cartesianMultigrid, solvesWithATerm)
+{
+    latticeOptions options(box(32, 32));
+
+    // Ranks' boxes, and cells scattered over the ranks
+    for (const bool scattered : {false, true})
+    {
+        if (scattered)
+        {
+            options.shuffled = true;
+            options.rank = [](const labelVector& c)
+            {
+                return (c.x()/5 + c.y()/7) % Pstream::nProcs();
+            };
+        }
+        latticeMesh mesh(options);
+        poissonProblem problem(mesh, {});
+        tmp<fvScalarMatrix> eqn(problem.completeEquation());
+
+        for (const scalar stiffness : {0.01, 1.0})
+        {
+            // b = (A + K) x for a known x
+            const squares term(mesh, 2, stiffness);
+            const scalarField& exact = problem.exact();
+            scalarField b(exact.size());
+            eqn().Amul
+            (
+                b, exact, eqn().boundaryCoeffs(), problem.interfaces(), 0
+            );
+            term.add(b, exact);
+
+            cartesianMultigrid::loopControls controls;
+            controls.tolerance = 1e-11;
+            cartesianMultigrid multigrid(mesh.mesh(), smallGather());
+            multigrid.update
+            (
+                eqn(), eqn().boundaryCoeffs(), problem.interfaces(),
+                term.diagonal()
+            );
+            scalarField x(exact.size(), Zero);
+            const solverPerformance result =
+                multigrid.solve(x, b, "p", controls, &term);
+            EXPECT_TRUE(result.converged()) << stiffness;
+            EXPECT_LT(difference(x, exact), 1e-7) << stiffness;
+        }
+    }
+}
+
+
+TEST(cartesianMultigrid, addedDiagonalHelps)
+{
+    latticeMesh mesh(box(64, 64));
+    poissonProblem problem(mesh, {});
+    tmp<fvScalarMatrix> eqn(problem.completeEquation());
+    const scalarField b(randomField(mesh, 4));
+
+    // A term that is its own diagonal
+    struct holdsCells : public cartesianMultigrid::addedTerm
+    {
+        scalarField diagonal;
+
+        void add(scalarField& Ax, const scalarField& x) const override
+        {
+            Ax += diagonal*x;
+        }
+    } term;
+    term.diagonal = -3*pos(randomField(mesh, 3) - 0.7);
+
+    label count[2];
+    for (label added = 0; added < 2; ++added)
+    {
+        cartesianMultigrid multigrid(mesh.mesh(), smallGather());
+        multigrid.update
+        (
+            eqn(), eqn().boundaryCoeffs(), problem.interfaces(),
+            added ? term.diagonal : scalarField()
+        );
+        scalarField x(b.size(), Zero);
+        cartesianMultigrid::loopControls controls;
+        controls.tolerance = 1e-10;
+        const solverPerformance result =
+            multigrid.solve(x, b, "p", controls, &term);
+        EXPECT_TRUE(result.converged());
+        count[added] = result.nIterations();
+    }
+    EXPECT_LE(count[1], 16);
+    EXPECT_LT(2*count[1], count[0]);
+}
+
+
+// ************************************************************************* //
