@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMesh.H"
+#include "cyclicPolyPatch.H"
+#include "processorCyclicPolyPatch.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -116,6 +118,24 @@ void Foam::fsi::cartesianMesh::setIndices()
 }
 
 
+void Foam::fsi::cartesianMesh::setPeriod()
+{
+    period_ = Zero;
+    for (const polyPatch& patch : mesh_.boundaryMesh())
+    {
+        const bool cyclic =
+            isA<cyclicPolyPatch>(patch)
+         || isA<processorCyclicPolyPatch>(patch);
+        if (cyclic && patch.size())
+        {
+            const direction d = faceDirection(patch.start());
+            period_[d] = globalN_[d]*spacing_;
+        }
+    }
+    reduce(period_, maxOp<vector>());
+}
+
+
 void Foam::fsi::cartesianMesh::setFaceCorners()
 {
     const vectorField& faceAreas = mesh_.faceAreas();
@@ -168,6 +188,7 @@ Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
 {
     setSpacing();
     setIndices();
+    setPeriod();
     setFaceCorners();
 }
 
@@ -242,8 +263,14 @@ Foam::label Foam::fsi::cartesianMesh::findCell(const point& p) const
     labelVector ijk(0, 0, 0);
     for (direction dir = 0; dir < nDims_; ++dir)
     {
-        ijk[dir] =
-            label(floor((p[dir] - origin_[dir])/spacing_)) - start_[dir];
+        ijk[dir] = label(floor((p[dir] - origin_[dir])/spacing_));
+        if (period_[dir] > 0)
+        {
+            // Modulus that is >= 0
+            const label n = globalN_[dir];
+            ijk[dir] = (ijk[dir] % n + n) % n;
+        }
+        ijk[dir] -= start_[dir];
     }
     const cartesianBlock block(cells());
     return block.contains(ijk) ? cellAt_[block.index(ijk)] : -1;

@@ -30,11 +30,12 @@ void Foam::fsi::forcedObjects::force
     {
         timeIndex_ = time.timeIndex();
         forcing_.takeLoad(U.oldTime().primitiveField());
-        objects_.startStep(p);
+        objects_.startStep(p, U.oldTime());
         objects_.finishStep(p, U);
         forcing_.updateCoverage();
         objects_.write();
     }
+    UEqn -= objects_.driving();
     forcing_.force(UEqn);
 }
 

@@ -14,6 +14,8 @@ void Foam::fsi::fsiObjects::report()
     record.time = time.value();
     record.deltaT = time.deltaTValue();
     record.objects = objects.size();
+    record.removed = boundaries_.nRemoved();
+    record.fed = boundaries_.nFed();
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
@@ -31,7 +33,7 @@ void Foam::fsi::fsiObjects::report()
     const contactStatistics& contacts = system_.contacts->statistics();
     record.contacts = contacts.contacts;
     record.smallestGap = contacts.smallestGap;
-    record.misfit = system_.levelSet->misfit(objects.surfaces());
+    record.misfit = system_.levelSet->misfit(system_.surfaces());
     record.rebuilds = system_.levelSet->nRebuilds();
 
     timer_.endStep(time.value(), time.deltaTValue(), time.endTime().value());
@@ -91,6 +93,8 @@ void Foam::fsi::fsiObjects::write()
 
     writer_.writeShapes(mesh_.time().value(), objects);
     objects.write();
+    boundaries_.write();
+    system_.driving->write();
 }
 
 

@@ -1,54 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
-#include "symmetryPlanePolyPatch.H"
-#include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::List<Foam::fsi::contactWall> Foam::fsi::objectContact::findWalls
-(
-    const fvMesh& mesh
-)
-{
-    const boundBox bb(mesh.bounds());
-    const scalar tolerance = 1e-6*bb.mag();
-
-    // Six sides: lower and upper of each direction
-    FixedList<bool, 6> isWall(false);
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (!isA<wallPolyPatch>(patch) && !isA<symmetryPlanePolyPatch>(patch))
-        {
-            continue;
-        }
-        for (const point& p : patch.faceCentres())
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                isWall[2*d] |= mag(p[d] - bb.min()[d]) < tolerance;
-                isWall[2*d + 1] |= mag(p[d] - bb.max()[d]) < tolerance;
-            }
-        }
-    }
-
-    DynamicList<contactWall> walls;
-    for (direction d = 0; d < 3; ++d)
-    {
-        vector normal(Zero);
-        normal[d] = 1;
-        if (returnReduce(isWall[2*d], orOp<bool>()))
-        {
-            walls.append(contactWall(bb.min(), normal));
-        }
-        if (returnReduce(isWall[2*d + 1], orOp<bool>()))
-        {
-            walls.append(contactWall(bb.max(), -normal));
-        }
-    }
-    return List<contactWall>(std::move(walls));
-}
-
 
 Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
 {
@@ -168,9 +122,10 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
         system.properties.subOrEmptyDict("contact"),
         system.grid.nDims(),
         system.grid.spacing(),
-        leastModulus(system.objects)
+        leastModulus(system.objects),
+        system.sides.images()
     ),
-    walls_(findWalls(system.grid.mesh())),
+    walls_(system.sides.walls()),
     nLimited_(0)
 {}
 

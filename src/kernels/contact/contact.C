@@ -69,7 +69,8 @@ Foam::fsi::contact::contact
     const dictionary& dict,
     const direction nDims,
     const scalar spacing,
-    const scalar youngsModulus
+    const scalar youngsModulus,
+    const periodicImages& images
 )
 :
     scales_(readScales(dict, spacing, youngsModulus)),
@@ -77,13 +78,59 @@ Foam::fsi::contact::contact
     minimumGap_(readPositive(dict, "minimumGap", 0.1)*spacing),
     search_(contactSearch::New(dict.subOrEmptyDict("search"))),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
+    images_(images),
     limiter_(dictionary()),
     limitSearch_(contactSearch::New(dictionary())),
     moved_(nDims)
-{}
+{
+    if (images_.cyclic() && (needsMedialAxis() || needsInternalForces()))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Search 'medialAxis' and law 'thesis' in dictionary "
+            << dict.name() << " do not see through cyclic patches;"
+            << " valid searches and laws are all others"
+            << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::contact::find
+(
+    contactSearch& search,
+    const surfaceSet& surfaces,
+    const UList<contactWall>& walls,
+    const UList<contactMedialPoint>& medialAxis,
+    const scalar range,
+    contactPairs& found
+)
+{
+    const surfaceSet& all = images_.update(surfaces, range);
+    search.find(all, walls, medialAxis, range, found);
+    if (all.nOriginals() == all.size())
+    {
+        return;
+    }
+
+    // What images' nodes find their originals find with other images
+    label n = 0;
+    for (const contactPair& pair : found.pairs)
+    {
+        if (all.originalNode(pair.node) == pair.node)
+        {
+            contactPair& kept = found.pairs[n++];
+            kept = pair;
+            if (pair.face >= 0)
+            {
+                kept.other = all.original(pair.other);
+                kept.face = all.originalFace(pair.face);
+            }
+        }
+    }
+    found.pairs.resize(n);
+}
+
 
 void Foam::fsi::contact::count(const surfaceSet& surfaces)
 {
@@ -143,9 +190,9 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     vectorField& force
 )
 {
-    search_->find
+    find
     (
-        surfaces, walls, medialAxis, scales_.range + margin_, found_
+        search_(), surfaces, walls, medialAxis, scales_.range + margin_, found_
     );
     count(surfaces);
 
@@ -176,8 +223,9 @@ Foam::label Foam::fsi::contact::limit
     // Pairs where the step would put the surfaces
     moved_ = surfaces;
     moved_.points() += dt*surfaces.velocities();
-    limitSearch_->find
+    find
     (
+        limitSearch_(),
         moved_,
         walls,
         UList<contactMedialPoint>(),
