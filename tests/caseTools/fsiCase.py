@@ -259,11 +259,11 @@ class Report:
         self.failures += not passed
         print(f"ok {name}" if passed else f"FAIL {name}: {reason}", flush=True)
 
-    def attempt(self, name, function, *args):
+    def attempt(self, name, function, *args, **parameters):
         """Runs a part of a test; an exception is its failure."""
         start = time.time()
         try:
-            return function(*args)
+            return function(*args, **parameters)
         except Exception as error:  # the test must go on
             self.check(name, False, f"{type(error).__name__}: {error}")
             return None

@@ -41,7 +41,7 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
     for (label sidei = 0; sidei < 2*objects_.nDims(); ++sidei)
     {
         const scalar beyond = sides_.beyond(sidei, box);
-        if (beyond > 0 && sides_[sidei] == domainSides::kind::wall)
+        if (beyond > 0 && sides_[sidei] == domainSides::WALL)
         {
             FatalErrorInFunction
                 << "Object " << objects_.objectId(objecti) << " of shape "
@@ -54,7 +54,7 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
         if
         (
             beyond > grid_.spacing()
-         && sides_[sidei] == domainSides::kind::open
+         && sides_[sidei] == domainSides::OPEN
          && (v & domainSides::outward(sidei)) >= 0
         )
         {
@@ -103,7 +103,7 @@ Foam::fsi::openBoundaries::openBoundaries
     grid_(grid),
     sides_(sides),
     objects_(objects),
-    removed_(domainSides::nSides, Zero)
+    removed_(6, Zero)
 {
     const dictionary& dict = fsiProperties.subOrEmptyDict("boundaries");
     checkKeys(dict, {"feed"});

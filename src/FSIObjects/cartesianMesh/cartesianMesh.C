@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMesh.H"
-#include "cyclicPolyPatch.H"
-#include "processorCyclicPolyPatch.H"
+#include "domainSides.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -118,24 +117,6 @@ void Foam::fsi::cartesianMesh::setIndices()
 }
 
 
-void Foam::fsi::cartesianMesh::setPeriod()
-{
-    period_ = Zero;
-    for (const polyPatch& patch : mesh_.boundaryMesh())
-    {
-        const bool cyclic =
-            isA<cyclicPolyPatch>(patch)
-         || isA<processorCyclicPolyPatch>(patch);
-        if (cyclic && patch.size())
-        {
-            const direction d = faceDirection(patch.start());
-            period_[d] = globalN_[d]*spacing_;
-        }
-    }
-    reduce(period_, maxOp<vector>());
-}
-
-
 void Foam::fsi::cartesianMesh::setFaceCorners()
 {
     const vectorField& faceAreas = mesh_.faceAreas();
@@ -184,11 +165,11 @@ void Foam::fsi::cartesianMesh::setFaceCorners()
 
 Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    period_(domainSides(mesh).period())
 {
     setSpacing();
     setIndices();
-    setPeriod();
     setFaceCorners();
 }
 

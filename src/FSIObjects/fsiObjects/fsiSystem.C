@@ -16,7 +16,7 @@ Foam::fsi::fsiSystem::fsiSystem
 :
     properties(dict),
     grid(mesh),
-    sides(grid),
+    sides(mesh),
     objects(mesh.time()),
     wall(wallTreatment::New(dict)),
     levelSet(levelSetUpdate::New(grid, dict)),
@@ -112,7 +112,7 @@ void Foam::fsi::fsiSystem::addOutsidePressure
     groupNodal& force
 ) const
 {
-    if (sides.openPatches().empty())
+    if (!sides.anyOpen())
     {
         return;
     }

@@ -32,8 +32,10 @@ disc
 }}
 """
 
-# Centre and velocity of two discs that collide while they rise
-COLLIDING = ((0.3, 0.4, 1, 0.5), (0.6, 0.43, -1, 0.5))
+# Centre and velocity of two discs that collide in a stream (1, 1)
+COLLIDING = ((0.3, 0.4, 2, 1), (0.6, 0.43, 0, 1))
+
+STREAM = "(1 1 0)"
 
 
 def box(folder, name, discs, shift=(0, 0), density=1.5, motion="",
@@ -85,16 +87,17 @@ def difference(one, other, shift, rank=""):
 def check_collision(report, folder):
     """Two discs that collide."""
     middle = report.attempt("collision in the middle", solve, folder, "middle",
-                            COLLIDING)
+                            COLLIDING, velocity=STREAM)
     if middle is None:
         return
     rows = results.table(middle, "global.csv")
     gap = min(r["smallestGap"] for r in rows)
-    report.check("the discs collide", gap < 1.5/48, f"gap {gap:.3f}")
+    # Contact acts below 3 h
+    report.check("the discs collide", gap < 2.5/48, f"gap {gap:.3f}")
 
     for name, shift in SHIFTS.items():
         case = report.attempt(f"collision across {name}", solve, folder, name,
-                              COLLIDING, shift)
+                              COLLIDING, shift, velocity=STREAM)
         if case is None:
             continue
         error = difference(middle, case, shift)
@@ -113,7 +116,7 @@ def check_collision(report, folder):
     for ranks in ((2, 1), (1, 2)):
         name = f"{ranks[0]} by {ranks[1]} ranks"
         case = report.attempt(name, solve, folder, name, COLLIDING, shift,
-                              ranks=ranks)
+                              ranks=ranks, velocity=STREAM)
         if case:
             error = max(difference(middle, case, shift, f"processor{r}")
                         for r in (0, 1))
@@ -125,7 +128,7 @@ def check_collision(report, folder):
 def check_prescribed(report, folder):
     """The force on a disc in prescribed motion."""
     forces = []
-    for name, x in (("inside", 0.2), ("across", 0.2 + 34/48)):
+    for name, x in (("inside", 0.2), ("across", 0.2 + 28/48)):
         case = report.attempt(
             f"prescribed motion {name}", solve, folder, name,
             ((x, 0.5, 0, 0),), motion="type translating; velocity (1 0 0);",
@@ -148,9 +151,11 @@ def check_driving(report, folder):
         properties="drivingForce { type acceleration; "
                    "acceleration (2 0 0); }\n")
     if case:
+        # To first order in the time step: cells inside objects have the
+        # velocity of the start of the step while the fluid's is solved
         v = results.table(case, "objects.csv")[-1]["velocityX"]
         report.check("an object as heavy as the fluid is driven like it",
-                     abs(v - 0.6) < 1e-9, f"velocity {v}, not 0.6")
+                     abs(v - 0.6) < 0.005*0.6, f"velocity {v}, not 0.6")
 
     case = report.attempt(
         "mean velocity", solve, folder, "meanVelocity", ((0.5, 0.5, 0, 0),),
@@ -169,7 +174,7 @@ def check_refusal(report, folder):
     case = report.attempt(
         "short period, set-up", box, folder, "short", ((0.5, 0.5, 0, 0),),
         shapes="disc { shape { type circle; radius 0.45; } "
-               "material { density 1; E 100; } }",
+               "nodeSpacing 0.05; material { density 1; E 100; } }",
         placements="discs { type listed; shape disc; wallGap 0; "
                    "objects ({ centre (0.5 0.5 0); }); }")
     if case is None:

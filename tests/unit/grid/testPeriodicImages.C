@@ -2,6 +2,7 @@
 
 #include "contact.H"
 #include "periodicImages.H"
+#include "SubField.H"
 #include "surfaceDistance.H"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,9 @@ void appendDisc(surfaceSet& surfaces, const point& centre, const scalar radius)
     for (label i = 0; i < n; ++i)
     {
         const scalar angle = 2*3.14159265358979*i/n;
-        points[i] = centre + radius*vector(cos(angle), sin(angle), 0);
+        points[i] = 
+            centre
+          + radius*vector(Foam::cos(angle), Foam::sin(angle), 0);
         faces[i] = surfaceFace({i, (i + 1) % n, -1});
     }
     surfaces.append(points, faces);
@@ -145,7 +148,8 @@ TEST(periodicImages, makeTheLevelSetPeriodic)
     periodicImages images(unitSquare(true));
     const label n = 20;
     const scalar h = 1.0/n;
-    const cartesianBlock block(point(0, 0, 0), h, labelVector(n + 1, n + 1, 1), 2);
+    const labelVector size(n + 1, n + 1, 1);
+    const cartesianBlock block(point(0, 0, 0), h, size, 2);
     surfaceDistance distance(3*h);
     distance.update(images.update(surfaces, 3*h), block);
 

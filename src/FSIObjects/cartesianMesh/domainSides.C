@@ -1,42 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "domainSides.H"
+#include "ListOps.H"
 #include "emptyPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
 
-#include <algorithm>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- True if contact keeps objects off a patch
-static bool isWall(const polyPatch& patch)
-{
-    return
-        isA<wallPolyPatch>(patch)
-     || isA<symmetryPlanePolyPatch>(patch)
-     || isA<symmetryPolyPatch>(patch);
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::domainSides::addPatch
-(
-    const polyPatch& patch,
-    const scalar tolerance
-)
+Foam::fsi::domainSides::kind
+Foam::fsi::domainSides::kindOf(const polyPatch& patch)
 {
-    FixedList<bool, nSides> touches(false);
+    if
+    (
+        isA<wallPolyPatch>(patch)
+     || isA<symmetryPlanePolyPatch>(patch)
+     || isA<symmetryPolyPatch>(patch)
+    )
+    {
+        return WALL;
+    }
+    if (isA<emptyPolyPatch>(patch))
+    {
+        return EMPTY;
+    }
+    // Faces between ranks lie on a side only where the domain repeats
+    return patch.coupled() ? CYCLIC : OPEN;
+}
+
+
+void Foam::fsi::domainSides::addPatch(const polyPatch& patch)
+{
+    const scalar tolerance = 1e-6*bounds_.mag();
+    const label kind = kindOf(patch);
+    FixedList<bool, 6> touches(false);
     for (const point& p : patch.faceCentres())
     {
         for (direction d = 0; d < 3; ++d)
@@ -47,13 +45,12 @@ void Foam::fsi::domainSides::addPatch
                 touches[2*d + 1] || mag(p[d] - bounds_.max()[d]) < tolerance;
         }
     }
-    for (label sidei = 0; sidei < nSides; ++sidei)
+    forAll(touches, sidei)
     {
-        if (returnReduce(touches[sidei], orOp<bool>()))
+        if (touches[sidei])
         {
-            const kind k = isWall(patch) ? kind::wall : kind::open;
-            kinds_[sidei] = std::max(kinds_[sidei], k);
-            if (k == kind::open)
+            kinds_[sidei] = max(kinds_[sidei], kind);
+            if (kind == OPEN)
             {
                 patches_[sidei].append(patch.name());
             }
@@ -64,42 +61,29 @@ void Foam::fsi::domainSides::addPatch
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::domainSides::domainSides(const cartesianMesh& grid)
+Foam::fsi::domainSides::domainSides(const fvMesh& mesh)
 :
-    bounds_(grid.bounds()),
-    period_(grid.period()),
-    kinds_(kind::none)
+    bounds_(mesh.bounds()),
+    kinds_(label(EMPTY))
 {
-    // Patches of the decomposition stand behind the mesh's own
-    const polyBoundaryMesh& boundary = grid.mesh().boundaryMesh();
-    for (label patchi = 0; patchi < boundary.nNonProcessor(); ++patchi)
+    for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        if (isWall(boundary[patchi]) || isOpen(boundary[patchi]))
-        {
-            addPatch(boundary[patchi], 1e-6*bounds_.mag());
-        }
+        addPatch(patch);
     }
-    for (direction d = 0; d < 3; ++d)
+    for (label& kind : kinds_)
     {
-        if (period_[d] > 0)
-        {
-            kinds_[2*d] = kind::cyclic;
-            kinds_[2*d + 1] = kind::cyclic;
-        }
+        reduce(kind, maxOp<label>());
+    }
+    for (wordList& names : patches_)
+    {
+        Pstream::combineGather(names, ListOps::uniqueEqOp<word>());
+        Pstream::combineScatter(names);
+        Foam::sort(names);
     }
 }
 
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
-
-bool Foam::fsi::domainSides::isOpen(const polyPatch& patch)
-{
-    return
-        !patch.coupled()
-     && !isWall(patch)
-     && !isA<emptyPolyPatch>(patch);
-}
-
 
 Foam::vector Foam::fsi::domainSides::outward(const label sidei)
 {
@@ -111,9 +95,23 @@ Foam::vector Foam::fsi::domainSides::outward(const label sidei)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::vector Foam::fsi::domainSides::period() const
+{
+    vector length(Zero);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (kinds_[2*d] == CYCLIC && kinds_[2*d + 1] == CYCLIC)
+        {
+            length[d] = bounds_.span()[d];
+        }
+    }
+    return length;
+}
+
+
 Foam::label Foam::fsi::domainSides::findPatch(const word& patch) const
 {
-    for (label sidei = 0; sidei < nSides; ++sidei)
+    for (label sidei = 0; sidei < 6; ++sidei)
     {
         if (patches_[sidei].found(patch))
         {
@@ -152,9 +150,9 @@ Foam::scalar Foam::fsi::domainSides::beyond
 Foam::List<Foam::fsi::contactWall> Foam::fsi::domainSides::walls() const
 {
     DynamicList<contactWall> walls;
-    for (label sidei = 0; sidei < nSides; ++sidei)
+    for (label sidei = 0; sidei < 6; ++sidei)
     {
-        if (kinds_[sidei] == kind::wall)
+        if (kinds_[sidei] == WALL)
         {
             walls.append
             (
@@ -172,7 +170,7 @@ Foam::List<Foam::fsi::contactWall> Foam::fsi::domainSides::walls() const
 
 Foam::fsi::periodicImages Foam::fsi::domainSides::images() const
 {
-    return periodicImages(bounds_, period_);
+    return periodicImages(bounds_, period());
 }
 
 
