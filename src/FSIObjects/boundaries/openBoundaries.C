@@ -41,7 +41,11 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
     for (label sidei = 0; sidei < 2*objects_.nDims(); ++sidei)
     {
         const scalar beyond = sides_.beyond(sidei, box);
-        if (beyond > 0 && sides_[sidei] == domainSides::WALL)
+        if (beyond <= 0)
+        {
+            continue;
+        }
+        if (sides_[sidei] == domainSides::WALL)
         {
             FatalErrorInFunction
                 << "Object " << objects_.objectId(objecti) << " of shape "

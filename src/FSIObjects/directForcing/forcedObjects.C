@@ -35,7 +35,10 @@ void Foam::fsi::forcedObjects::force
         forcing_.updateCoverage();
         objects_.write();
     }
-    UEqn -= objects_.driving();
+    if (mag(objects_.driving().value()) > 0)
+    {
+        UEqn -= objects_.driving();
+    }
     forcing_.force(UEqn);
 }
 

@@ -176,7 +176,10 @@ void Foam::fsi::fsiObjects::startStep
     fsiSystem::groupNodal force;
     system_.objects.zeroGroups(force);
     system_.addBodyForce(force);
-    system_.addOutsidePressure(p, force);
+    if (coupling_->hasFluid())
+    {
+        system_.addOutsidePressure(p, force);
+    }
     for (bodyGroup& group : system_.objects.groups())
     {
         group.prepareResponse(system_.deltaT());

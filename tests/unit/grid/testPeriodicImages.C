@@ -35,7 +35,7 @@ void appendDisc(surfaceSet& surfaces, const point& centre, const scalar radius)
     for (label i = 0; i < n; ++i)
     {
         const scalar angle = 2*3.14159265358979*i/n;
-        points[i] = 
+        points[i] =
             centre
           + radius*vector(Foam::cos(angle), Foam::sin(angle), 0);
         faces[i] = surfaceFace({i, (i + 1) % n, -1});
