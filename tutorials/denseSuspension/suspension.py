@@ -44,9 +44,11 @@ def make(flow, percent, number=500, crossings=5):
     path = os.path.join(FOLDER, f"{flow}-{percent:g}")
     fsiCase.copy("case", path)
     case_file(path, "system/size",
-              nx=nx, ny=HEIGHT_CELLS, length=length, number=n,
-              radius=RADIUS/HEIGHT_CELLS, gap=1/HEIGHT_CELLS,
-              end=end, interval=end/20)
+              nx=nx, ny=HEIGHT_CELLS, length=length, end=end,
+              interval=end/20)
+    case_file(path, "system/radius", radius=RADIUS/HEIGHT_CELLS)
+    case_file(path, "system/number", number=n, minimumGap=1/HEIGHT_CELLS,
+              wallGap=1/HEIGHT_CELLS)
     speed = SPEED if flow == "shear" else 0
     case_file(path, "0/walls", speed=speed, opposite=-speed)
     drive = ("" if flow == "shear" else
