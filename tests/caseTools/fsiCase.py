@@ -25,6 +25,9 @@ FoamFile
 FACES = {"left": "(0 4 7 3)", "right": "(1 2 6 5)",
          "bottom": "(0 1 5 4)", "top": "(3 7 6 2)"}
 
+OPPOSITE = {"left": "right", "right": "left",
+            "bottom": "top", "top": "bottom"}
+
 DEFAULTS = {
     "box": (0, 0, 1, 1),
     "cells": (32, 32),
@@ -34,6 +37,12 @@ DEFAULTS = {
     "gravity": "(0 0 0)",
     # Velocity of the sides that are not at rest
     "walls": {},
+    # Velocity of the fluid at the start
+    "velocity": "(0 0 0)",
+    # Directions closed by cyclic patches: "x", "y" or "xy"
+    "cyclic": "",
+    # Open patches: side: (boundary condition of U, of p)
+    "open": {},
     "properties": "",
     "shapes": "",
     "placements": "",
@@ -112,6 +121,28 @@ class Case:
         self.file("system/fvSolution",
                   SOLUTION.format(v["p_tolerance"], v["U_tolerance"]))
 
+    def is_cyclic(self, side):
+        """True if the side is one half of a cyclic."""
+        axis = "x" if side in ("left", "right") else "y"
+        return axis in self.values["cyclic"]
+
+    def patch_type(self, side):
+        """Entries of a side in blockMeshDict."""
+        if self.is_cyclic(side):
+            return f"type cyclic; neighbourPatch {OPPOSITE[side]};"
+        return f"type {'patch' if side in self.values['open'] else 'wall'};"
+
+    def boundary_condition(self, side, field):
+        """Entries of a side in 0/U or 0/p."""
+        if self.is_cyclic(side):
+            return "type cyclic;"
+        if side in self.values["open"]:
+            return self.values["open"][side][field == "p"]
+        if field == "p":
+            return "type zeroGradient;"
+        velocity = self.values["walls"].get(side, "(0 0 0)")
+        return f"type fixedValue; value uniform {velocity};"
+
     def mesh(self):
         """Writes blockMeshDict: one block, one cell thick."""
         x0, y0, x1, y1 = self.values["box"]
@@ -121,7 +152,8 @@ class Case:
             f"({x} {y} {z})" for z in (0, thickness)
             for x, y in ((x0, y0), (x1, y0), (x1, y1), (x0, y1))
         )
-        sides = "\n".join(f"{name} {{ type wall; faces ({face}); }}"
+        sides = "\n".join(f"{name} {{ {self.patch_type(name)} "
+                          f"faces ({face}); }}"
                           for name, face in FACES.items())
         self.file(
             "system/blockMeshDict",
@@ -133,16 +165,12 @@ class Case:
 
     def fields(self):
         """Writes p and U: at rest, walls at rest or with a velocity."""
-        at_rest = "(0 0 0)"
-        U = "".join(
-            f"{s} {{ type fixedValue; "
-            f"value uniform {self.values['walls'].get(s, at_rest)}; }}\n"
-            for s in FACES
-        )
-        p = "".join(f"{s} {{ type zeroGradient; }}\n" for s in FACES)
+        U, p = ("".join(f"{s} {{ {self.boundary_condition(s, field)} }}\n"
+                        for s in FACES) for field in "Up")
         text = ("dimensions {};\ninternalField uniform {};\n"
                 "boundaryField\n{{\n{}frontAndBack {{ type empty; }}\n}}\n")
-        self.file("0/U", text.format("[0 1 -1 0 0 0 0]", at_rest, U),
+        self.file("0/U", text.format("[0 1 -1 0 0 0 0]",
+                                      self.values["velocity"], U),
                   "volVectorField")
         self.file("0/p", text.format("[0 2 -2 0 0 0 0]", 0, p),
                   "volScalarField")
@@ -231,11 +259,11 @@ class Report:
         self.failures += not passed
         print(f"ok {name}" if passed else f"FAIL {name}: {reason}", flush=True)
 
-    def attempt(self, name, function, *args):
+    def attempt(self, name, function, *args, **parameters):
         """Runs a part of a test; an exception is its failure."""
         start = time.time()
         try:
-            return function(*args)
+            return function(*args, **parameters)
         except Exception as error:  # the test must go on
             self.check(name, False, f"{type(error).__name__}: {error}")
             return None

@@ -56,7 +56,7 @@ int main(int argc, char *argv[])
         ++runTime;
         Info<< "Time = " << runTime.timeName() << endl;
 
-        objects.startStep(p);
+        objects.startStep(p, U);
         if (objects.coupling().hasFluid())
         {
             const fsi::stepTimer::section fluid

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMesh.H"
+#include "domainSides.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -164,7 +165,8 @@ void Foam::fsi::cartesianMesh::setFaceCorners()
 
 Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
 :
-    mesh_(mesh)
+    mesh_(mesh),
+    period_(domainSides(mesh).period())
 {
     setSpacing();
     setIndices();
@@ -242,8 +244,14 @@ Foam::label Foam::fsi::cartesianMesh::findCell(const point& p) const
     labelVector ijk(0, 0, 0);
     for (direction dir = 0; dir < nDims_; ++dir)
     {
-        ijk[dir] =
-            label(floor((p[dir] - origin_[dir])/spacing_)) - start_[dir];
+        ijk[dir] = label(floor((p[dir] - origin_[dir])/spacing_));
+        if (period_[dir] > 0)
+        {
+            // Modulus that is >= 0
+            const label n = globalN_[dir];
+            ijk[dir] = (ijk[dir] % n + n) % n;
+        }
+        ijk[dir] -= start_[dir];
     }
     const cartesianBlock block(cells());
     return block.contains(ijk) ? cellAt_[block.index(ijk)] : -1;

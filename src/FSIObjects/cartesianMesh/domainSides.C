@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "domainSides.H"
+#include "ListOps.H"
 #include "emptyPolyPatch.H"
 #include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -10,7 +12,12 @@
 Foam::fsi::domainSides::kind
 Foam::fsi::domainSides::kindOf(const polyPatch& patch)
 {
-    if (isA<wallPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch))
+    if
+    (
+        isA<wallPolyPatch>(patch)
+     || isA<symmetryPlanePolyPatch>(patch)
+     || isA<symmetryPolyPatch>(patch)
+    )
     {
         return WALL;
     }
@@ -23,6 +30,35 @@ Foam::fsi::domainSides::kindOf(const polyPatch& patch)
 }
 
 
+void Foam::fsi::domainSides::addPatch(const polyPatch& patch)
+{
+    const scalar tolerance = 1e-6*bounds_.mag();
+    const label kind = kindOf(patch);
+    FixedList<bool, 6> touches(false);
+    for (const point& p : patch.faceCentres())
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            touches[2*d] =
+                touches[2*d] || mag(p[d] - bounds_.min()[d]) < tolerance;
+            touches[2*d + 1] =
+                touches[2*d + 1] || mag(p[d] - bounds_.max()[d]) < tolerance;
+        }
+    }
+    forAll(touches, sidei)
+    {
+        if (touches[sidei])
+        {
+            kinds_[sidei] = max(kinds_[sidei], kind);
+            if (kind == OPEN)
+            {
+                patches_[sidei].append(patch.name());
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::domainSides::domainSides(const fvMesh& mesh)
@@ -30,30 +66,30 @@ Foam::fsi::domainSides::domainSides(const fvMesh& mesh)
     bounds_(mesh.bounds()),
     kinds_(label(EMPTY))
 {
-    const scalar tolerance = 1e-6*bounds_.mag();
-
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
-        const label kind = kindOf(patch);
-        for (const point& p : patch.faceCentres())
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                if (mag(p[d] - bounds_.min()[d]) < tolerance)
-                {
-                    kinds_[2*d] = max(kinds_[2*d], kind);
-                }
-                if (mag(p[d] - bounds_.max()[d]) < tolerance)
-                {
-                    kinds_[2*d + 1] = max(kinds_[2*d + 1], kind);
-                }
-            }
-        }
+        addPatch(patch);
     }
     for (label& kind : kinds_)
     {
         reduce(kind, maxOp<label>());
     }
+    for (wordList& names : patches_)
+    {
+        Pstream::combineGather(names, ListOps::uniqueEqOp<word>());
+        Pstream::combineScatter(names);
+        Foam::sort(names);
+    }
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::vector Foam::fsi::domainSides::outward(const label sidei)
+{
+    vector n(Zero);
+    n[sidei/2] = sidei % 2 ? 1 : -1;
+    return n;
 }
 
 
@@ -70,6 +106,71 @@ Foam::vector Foam::fsi::domainSides::period() const
         }
     }
     return length;
+}
+
+
+Foam::label Foam::fsi::domainSides::findPatch(const word& patch) const
+{
+    for (label sidei = 0; sidei < 6; ++sidei)
+    {
+        if (patches_[sidei].found(patch))
+        {
+            return sidei;
+        }
+    }
+    return -1;
+}
+
+
+Foam::wordList Foam::fsi::domainSides::openPatches() const
+{
+    wordList names;
+    for (const wordList& onSide : patches_)
+    {
+        names.append(onSide);
+    }
+    return names;
+}
+
+
+Foam::scalar Foam::fsi::domainSides::beyond
+(
+    const label sidei,
+    const boundBox& box
+) const
+{
+    const direction d = sidei/2;
+    return
+        sidei % 2
+      ? box.min()[d] - bounds_.max()[d]
+      : bounds_.min()[d] - box.max()[d];
+}
+
+
+Foam::List<Foam::fsi::contactWall> Foam::fsi::domainSides::walls() const
+{
+    DynamicList<contactWall> walls;
+    for (label sidei = 0; sidei < 6; ++sidei)
+    {
+        if (kinds_[sidei] == WALL)
+        {
+            walls.append
+            (
+                contactWall
+                (
+                    sidei % 2 ? bounds_.max() : bounds_.min(),
+                    -outward(sidei)
+                )
+            );
+        }
+    }
+    return List<contactWall>(std::move(walls));
+}
+
+
+Foam::fsi::periodicImages Foam::fsi::domainSides::images() const
+{
+    return periodicImages(bounds_, period());
 }
 
 

@@ -111,4 +111,15 @@ void Foam::fsi::couplingModel::solveFluidPressure
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::couplingModel::renew()
+{
+    system_.objects.zeroGroups(velocity_);
+    wallVelocity_ = system_.objects.surfaces().velocities();
+    hydrodynamicForce_.setSize(wallVelocity_.size());
+    hydrodynamicForce_ = Zero;
+}
+
+
 // ************************************************************************* //

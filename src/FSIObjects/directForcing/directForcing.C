@@ -151,6 +151,14 @@ void Foam::fsi::directForcing::begin
 }
 
 
+void Foam::fsi::directForcing::renew()
+{
+    noFluid::renew();
+    system_.objects.zeroGroups(load_);
+    lastVelocity_ = objectVelocities();
+}
+
+
 void Foam::fsi::directForcing::end
 (
     const volScalarField&,

@@ -30,10 +30,14 @@ void Foam::fsi::forcedObjects::force
     {
         timeIndex_ = time.timeIndex();
         forcing_.takeLoad(U.oldTime().primitiveField());
-        objects_.startStep(p);
+        objects_.startStep(p, U.oldTime());
         objects_.finishStep(p, U);
         forcing_.updateCoverage();
         objects_.write();
+    }
+    if (mag(objects_.driving().value()) > 0)
+    {
+        UEqn -= objects_.driving();
     }
     forcing_.force(UEqn);
 }

@@ -19,7 +19,8 @@ static const dictionary& checked(const dictionary& dict)
         dict,
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
-            "ddtPhiCoeff", "transposedStress", "levelSet", "coupling", "contact", "output"
+            "ddtPhiCoeff", "transposedStress", "levelSet", "coupling",
+            "contact", "boundaries", "drivingForce", "output"
         }
     );
     return dict;
@@ -52,6 +53,7 @@ Foam::fsi::fsiObjects::fsiObjects
     ),
     system_(mesh, checked(properties_), viscosity),
     timer_(),
+    boundaries_(system_.grid, system_.sides, system_.objects, properties_),
     coupling_(select(system_, timer_)),
     writer_(mesh.time(), properties_.subOrEmptyDict("output")),
     signedDistance_
@@ -156,13 +158,28 @@ void Foam::fsi::fsiObjects::fillNewCells
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::fsiObjects::startStep(const volScalarField& p)
+void Foam::fsi::fsiObjects::startStep
+(
+    const volScalarField& p,
+    const volVectorField& U
+)
 {
     const stepTimer::section solids(timer_, stepTimer::part::solids);
+    if (boundaries_.update(mesh_.time().value() - system_.deltaT()))
+    {
+        system_.renew();
+        coupling_->renew();
+    }
+    system_.driving->update(U);
+
 
     fsiSystem::groupNodal force;
     system_.objects.zeroGroups(force);
     system_.addBodyForce(force);
+    if (coupling_->hasFluid())
+    {
+        system_.addOutsidePressure(p, force);
+    }
     for (bodyGroup& group : system_.objects.groups())
     {
         group.prepareResponse(system_.deltaT());
@@ -188,7 +205,7 @@ void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
                 coupling_->velocity()[groupi]
             );
         }
-        system_.objects.updateSurfaces();
+        system_.updateSurfaces();
     }
     {
         const stepTimer::section contact(timer_, stepTimer::part::contact);
@@ -196,7 +213,7 @@ void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
     }
     {
         const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
-        system_.levelSet->move(system_.objects.surfaces(), system_.deltaT());
+        system_.levelSet->move(system_.surfaces(), system_.deltaT());
     }
     const stepTimer::section coupling(timer_, stepTimer::part::coupling);
     if (coupling_->hasFluid())
@@ -214,7 +231,7 @@ void Foam::fsi::fsiObjects::setSolidVelocity(volVectorField& U) const
     system_.fluid.setSolidVelocity
     (
         U,
-        system_.objects.surfaces(),
+        system_.surfaces(),
         *system_.levelSet
     );
 }

@@ -14,6 +14,8 @@ void Foam::fsi::fsiObjects::report()
     record.time = time.value();
     record.deltaT = time.deltaTValue();
     record.objects = objects.size();
+    record.removed = boundaries_.nRemoved();
+    record.fed = boundaries_.nFed();
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
@@ -32,7 +34,7 @@ void Foam::fsi::fsiObjects::report()
     record.contacts = contacts.contacts;
     record.smallestGap = contacts.smallestGap;
     record.contactEnergy = contacts.potentialEnergy;
-    record.misfit = system_.levelSet->misfit(objects.surfaces());
+    record.misfit = system_.levelSet->misfit(system_.surfaces());
     record.rebuilds = system_.levelSet->nRebuilds();
 
     timer_.endStep(time.value(), time.deltaTValue(), time.endTime().value());
@@ -92,6 +94,8 @@ void Foam::fsi::fsiObjects::write()
 
     writer_.writeShapes(mesh_.time().value(), objects);
     objects.write();
+    boundaries_.write();
+    system_.driving->write();
 }
 
 

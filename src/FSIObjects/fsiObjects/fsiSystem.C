@@ -16,12 +16,14 @@ Foam::fsi::fsiSystem::fsiSystem
 :
     properties(dict),
     grid(mesh),
+    sides(mesh),
     objects(mesh.time()),
     wall(wallTreatment::New(dict)),
     levelSet(levelSetUpdate::New(grid, dict)),
     geometry(grid, *wall),
     walls(geometry),
     fluid(geometry, dict),
+    driving(drivingForce::New(mesh, dict)),
     fluidDensity(readPositive(dict, "fluidDensity")),
     viscosity(viscosity),
     transposedStress
@@ -32,7 +34,9 @@ Foam::fsi::fsiSystem::fsiSystem
             {transposedPart::linear, "linear"}
         }).getOrDefault("transposedStress", dict, transposedPart::rotation)
     ),
-    gravity(dict.lookupOrDefault<vector>("gravity", Zero))
+    gravity(dict.lookupOrDefault<vector>("gravity", Zero)),
+    images_(sides.images()),
+    surfaces_(&objects.surfaces())
 {
     if (objects.nDims() != grid.nDims())
     {
@@ -42,8 +46,7 @@ Foam::fsi::fsiSystem::fsiSystem
             << "; run seedObjects on this mesh"
             << exit(FatalError);
     }
-    levelSet->initialise(objects.surfaces());
-    updateGeometry();
+    renew();
     contacts = std::make_unique<objectContact>(*this);
 }
 
@@ -53,10 +56,32 @@ Foam::fsi::fsiSystem::~fsiSystem() = default;
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::fsi::fsiSystem::updateSurfaces()
+{
+    if (images_.cyclic())
+    {
+        objects.wrap(images_);
+    }
+    objects.updateSurfaces();
+
+    // Samples lie up to one cell outside the domain
+    const scalar reach = levelSet->bandWidth() + grid.spacing();
+    surfaces_ = &images_.update(objects.surfaces(), reach);
+}
+
+
 void Foam::fsi::fsiSystem::updateGeometry()
 {
-    geometry.update(*levelSet, objects.surfaces());
+    geometry.update(*levelSet, surfaces());
     walls.update(objects.surfaces());
+}
+
+
+void Foam::fsi::fsiSystem::renew()
+{
+    updateSurfaces();
+    levelSet->initialise(surfaces());
+    updateGeometry();
 }
 
 
@@ -65,17 +90,40 @@ void Foam::fsi::fsiSystem::addBodyForce(groupNodal& force) const
     forAll(objects.groups(), groupi)
     {
         const shapeTemplate& shape = objects.shape(groupi);
-        const scalar netFactor = 1 - fluidDensity/shape.density();
+        const scalar lighter = fluidDensity/shape.density();
+        const vector a((1 - lighter)*gravity + lighter*driving->acceleration());
         Eigen::MatrixXd& f = force[groupi];
 
         for (Eigen::Index column = 0; column < f.cols(); ++column)
         {
-            const scalar g = gravity[direction(column % grid.nDims())];
+            const scalar ai = a[direction(column % grid.nDims())];
             for (Eigen::Index nodei = 0; nodei < f.rows(); ++nodei)
             {
-                f(nodei, column) += netFactor*shape.nodeMasses()[nodei]*g;
+                f(nodei, column) += shape.nodeMasses()[nodei]*ai;
             }
         }
+    }
+}
+
+
+void Foam::fsi::fsiSystem::addOutsidePressure
+(
+    const volScalarField& p,
+    groupNodal& force
+) const
+{
+    if (!sides.anyOpen())
+    {
+        return;
+    }
+    vectorField nodal;
+    walls.outsideForce(p, nodal);
+    nodal *= fluidDensity;
+    groupNodal outside;
+    objects.toGroups(nodal, outside);
+    forAll(force, groupi)
+    {
+        force[groupi] += outside[groupi];
     }
 }
 

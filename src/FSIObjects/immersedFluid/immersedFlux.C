@@ -187,6 +187,9 @@ void Foam::fsi::immersedFluid::storeFaceVelocity
     {
         cutCell[link.cell] = true;
     }
+    boolList cutAcross;
+    syncTools::swapBoundaryCellList(U.mesh(), cutCell, cutAcross);
+
     const labelUList& own = U.mesh().owner();
     const labelUList& nei = U.mesh().neighbour();
 
@@ -205,10 +208,14 @@ void Foam::fsi::immersedFluid::storeFaceVelocity
     {
         const fvsPatchScalarField& po = open.boundaryField()[patchi];
         fvsPatchScalarField& ph = faceHistory_.boundaryFieldRef()[patchi];
+        const labelUList& cells = po.patch().faceCells();
+        const label first = po.patch().start() - U.mesh().nInternalFaces();
         forAll(po, i)
         {
+            const bool uncut =
+                po.coupled() && !cutCell[cells[i]] && !cutAcross[first + i];
             ph[i] =
-                po.coupled() && po[i] > 0
+                uncut && po[i] > 0
               ? history
                 (
                     phi.boundaryField()[patchi][i]

@@ -3,6 +3,7 @@
 #include "interfaceGeometry.H"
 #include "wallTreatment.H"
 #include "levelSetUpdate.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -83,6 +84,15 @@ void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
         );
         openness_[facei] = open < smallestOpenness ? 0 : open;
     }
+
+    // On cyclic patches the distances of both sides differ by round-off
+    SubList<scalar> boundary
+    (
+        openness_,
+        mesh.nFaces() - mesh.nInternalFaces(),
+        mesh.nInternalFaces()
+    );
+    syncTools::syncBoundaryFaceList(mesh, boundary, minEqOp<scalar>());
 }
 
 
@@ -211,6 +221,7 @@ void Foam::fsi::interfaceGeometry::update
     setFields(levelSet);
     setWallFaces(levelSet, surfaces);
     setWallLinks(levelSet, surfaces);
+    setOutsideWalls(levelSet, surfaces);
 }
 
 

@@ -40,8 +40,14 @@ Foam::fsi::surfacePlace Foam::fsi::interfaceGeometry::nearestPlace
             << "No surface near the wall at " << p
             << exit(FatalError);
     }
+    // What is found on an image belongs to its original
     place.nodes = surfaces.faces()[place.face];
-    place.object = surfaces.faceObject()[place.face];
+    for (label& nodei : place.nodes)
+    {
+        nodei = surfaces.originalNode(nodei);
+    }
+    place.object = surfaces.original(surfaces.faceObject()[place.face]);
+    place.face = surfaces.originalFace(place.face);
     return place;
 }
 

@@ -62,7 +62,14 @@ void Foam::fsi::advectedLevelSet::fillHalo(scalarField& phi) const
         inner = ijk;
         for (direction d = 0; d < nDims; ++d)
         {
-            inner[d] = min(max(ijk[d], halo), block_.n()[d] - 1 - halo);
+            const label last = block_.n()[d] - 1 - halo;
+            inner[d] = min(max(ijk[d], halo), last);
+            if (grid_.period()[d] > 0 && inner[d] != ijk[d])
+            {
+                // The sample one period away
+                const label n = last + 1 - halo;
+                inner[d] = ijk[d] < halo ? ijk[d] + n : ijk[d] - n;
+            }
             outside = outside || inner[d] != ijk[d];
         }
         if (outside)
@@ -76,9 +83,7 @@ void Foam::fsi::advectedLevelSet::fillHalo(scalarField& phi) const
 void Foam::fsi::advectedLevelSet::sample(const surfaceSet& surfaces)
 {
     // Nearest faces and objects come from the surfaces in any case
-    centreSamples_.update(surfaces, grid_.cells(1));
-    nearestFace_ = centreSamples_.nearestFace();
-    object_ = centreSamples_.object();
+    setNearest(surfaces);
 
     const auto value = [&](const labelVector& global)
     {

@@ -117,14 +117,24 @@ Foam::autoPtr<Foam::fsi::levelSetUpdate> Foam::fsi::levelSetUpdate::New
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-void Foam::fsi::levelSetUpdate::setFromSurfaces(const surfaceSet& surfaces)
+void Foam::fsi::levelSetUpdate::setNearest(const surfaceSet& surfaces)
 {
     centreSamples_.update(surfaces, grid_.cells(1));
+    nearestFace_ = centreSamples_.nearestFace();
+    object_ = centreSamples_.object();
+    for (label& objecti : object_)
+    {
+        objecti = objecti < 0 ? -1 : surfaces.original(objecti);
+    }
+}
+
+
+void Foam::fsi::levelSetUpdate::setFromSurfaces(const surfaceSet& surfaces)
+{
+    setNearest(surfaces);
     cornerSamples_.update(surfaces, grid_.corners());
 
     cellDistance_ = centreSamples_.distance();
-    nearestFace_ = centreSamples_.nearestFace();
-    object_ = centreSamples_.object();
     cornerDistance_ = cornerSamples_.distance();
 }
 

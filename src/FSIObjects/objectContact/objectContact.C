@@ -1,35 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
-#include "domainSides.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::List<Foam::fsi::contactWall> Foam::fsi::objectContact::findWalls
-(
-    const fvMesh& mesh
-)
-{
-    const domainSides sides(mesh);
-    const boundBox& bb = sides.bounds();
-
-    DynamicList<contactWall> walls;
-    for (direction d = 0; d < 3; ++d)
-    {
-        vector normal(Zero);
-        normal[d] = 1;
-        if (sides(d, false) == domainSides::WALL)
-        {
-            walls.append(contactWall(bb.min(), normal));
-        }
-        if (sides(d, true) == domainSides::WALL)
-        {
-            walls.append(contactWall(bb.max(), -normal));
-        }
-    }
-    return List<contactWall>(std::move(walls));
-}
-
 
 Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
 {
@@ -182,9 +155,10 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
         system.grid.nDims(),
         system.grid.spacing(),
         leastModulus(system.objects),
-        system.fluidDensity*system.viscosity
+        system.fluidDensity*system.viscosity,
+        system.sides.images()
     ),
-    walls_(findWalls(system.grid.mesh())),
+    walls_(system.sides.walls()),
     nLimited_(0)
 {}
 

@@ -12,7 +12,7 @@ Foam::wordList Foam::fsi::stepRecord::columns()
         "time", "deltaT", "objects", "contacts", "smallestGap",
         "kineticEnergy", "elasticEnergy", "contactEnergy", "areaChange",
         "misfit", "rebuilds", "fluidSeconds", "levelSetSeconds",
-        "solidsSeconds", "contactSeconds", "couplingSeconds"
+        "solidsSeconds", "contactSeconds", "couplingSeconds", "removed", "fed"
     });
 }
 
@@ -27,12 +27,18 @@ void Foam::fsi::stepRecord::write(csvTable& table) const
     {
         row << s;
     }
+    row << removed << fed;
 }
 
 
 void Foam::fsi::stepRecord::log(Ostream& os, const stepTimer& timer) const
 {
-    os  << "Objects: " << objects << ", contacts " << contacts;
+    os  << "Objects: " << objects;
+    if (removed + fed > 0)
+    {
+        os  << ", removed " << removed << ", fed " << fed;
+    }
+    os  << ", contacts " << contacts;
     if (smallestGap < GREAT)
     {
         os  << ", smallest gap " << smallestGap;

@@ -129,6 +129,35 @@ Foam::label Foam::fsi::population::findGroup(const word& shapeName) const
 }
 
 
+void Foam::fsi::population::wrap(const periodicImages& images)
+{
+    for (bodyGroup& group : groups_)
+    {
+        for (label copyi = 0; copyi < group.size(); ++copyi)
+        {
+            const labelVector n =
+                images.periodsOutside(group.centroid(copyi));
+            if (n == labelVector::zero)
+            {
+                continue;
+            }
+            for (direction d = 0; d < nDims_; ++d)
+            {
+                group.positions().col(nDims_*copyi + d).array() -=
+                    n[d]*images.period()[d];
+            }
+            periods_(group.objectIds()[copyi]) += n;
+        }
+    }
+}
+
+
+Foam::labelVector Foam::fsi::population::periods(const label objecti) const
+{
+    return periods_.lookup(objectId(objecti), labelVector::zero);
+}
+
+
 Foam::label Foam::fsi::population::addShape
 (
     autoPtr<shapeTemplate> shape,
@@ -209,6 +238,7 @@ void Foam::fsi::population::remove(const labelList& objects)
     sort(descending, std::greater<label>());
     for (const label objecti : descending)
     {
+        periods_.erase(objectId(objecti));
         groups_[objectGroup_[objecti]].remove(objectCopy(objecti));
     }
     renumber();

@@ -4,6 +4,7 @@
 #include "dictionaryCheck.H"
 #include "IOobjectList.H"
 #include "localIOdictionary.H"
+#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -11,74 +12,6 @@ namespace
 {
 
 using namespace Foam;
-
-//- A file that is a dictionary for its readers and is written by a function,
-//  one per rank
-template<class Writer>
-class writtenDictionary
-:
-    public regIOobject
-{
-    const Writer& writer_;
-
-public:
-
-    writtenDictionary(const IOobject& io, const Writer& writer)
-    :
-        regIOobject(io),
-        writer_(writer)
-    {}
-
-    virtual const word& type() const
-    {
-        return IOdictionary::typeName;
-    }
-
-    virtual bool writeData(Ostream& os) const
-    {
-        writer_(os);
-        return os.good();
-    }
-};
-
-
-//- Write a dictionary file in the given format
-template<class Writer>
-void writeFile
-(
-    const Time& time,
-    const fileName& instance,
-    const fileName& local,
-    const word& name,
-    const IOstream::streamFormat format,
-    const Writer& writer
-)
-{
-    const writtenDictionary<Writer> file
-    (
-        IOobject
-        (
-            name, instance, local, time,
-            IOobject::NO_READ, IOobject::NO_WRITE, false
-        ),
-        writer
-    );
-    const bool written = file.writeObject
-    (
-        format,
-        IOstream::currentVersion,
-        format == IOstream::ASCII
-      ? time.writeCompression()
-      : IOstream::UNCOMPRESSED,
-        true
-    );
-    if (!written)
-    {
-        FatalErrorInFunction
-            << "Cannot write " << file.objectPath() << exit(FatalError);
-    }
-}
-
 
 //- A file that must be there
 IOobject input
@@ -113,7 +46,11 @@ void Foam::fsi::population::readCounters()
             << exit(FatalError);
     }
     const localIOdictionary dict(io);
-    checkKeys(dict, {"FoamFile", "nDims", "planeZ", "nextObjectId"});
+    checkKeys
+    (
+        dict,
+        {"FoamFile", "nDims", "planeZ", "nextObjectId", "periods"}
+    );
 
     const label n = dict.get<label>("nDims");
     if (n != 2 && n != 3)
@@ -125,6 +62,10 @@ void Foam::fsi::population::readCounters()
     nDims_ = n;
     planeZ_ = dict.get<scalar>("planeZ");
     nextObjectId_ = dict.get<label>("nextObjectId");
+    periods_ = dict.lookupOrDefault<Map<labelVector>>
+    (
+        "periods", Map<labelVector>()
+    );
 }
 
 
@@ -166,6 +107,10 @@ void Foam::fsi::population::write() const
             os.writeEntry("nDims", label(nDims_));
             os.writeEntry("planeZ", planeZ_);
             os.writeEntry("nextObjectId", nextObjectId_);
+            if (periods_.size())
+            {
+                os.writeEntry("periods", periods_);
+            }
             os.precision(precision);
         }
     );

@@ -55,6 +55,39 @@ void Foam::fsi::wallOperator::transposeSums
 }
 
 
+void Foam::fsi::wallOperator::setCuts(const surfaceSet& surfaces)
+{
+    cutNodes_.clear();
+    cutAreas_.clear();
+    cutFaces_.clear();
+    const auto add = [&](const label nodei, const wallFace& w, const scalar s)
+    {
+        vector area(Zero);
+        area[w.dir] = (w.lower >= 0 ? s : -s)*w.area;
+        cutNodes_.append(nodei);
+        cutAreas_.append(area);
+        cutFaces_.append(w.face);
+    };
+    for (const wallFace& w : geometry_.outsideWalls())
+    {
+        if (w.place.nodes[0] >= 0)
+        {
+            for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
+            {
+                add(w.place.nodes[k], w, w.place.weights[k]);
+            }
+            continue;
+        }
+        const label start = surfaces.pointStart()[w.place.object];
+        const label end = surfaces.pointStart()[w.place.object + 1];
+        for (label nodei = start; nodei < end; ++nodei)
+        {
+            add(nodei, w, scalar(1)/(end - start));
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
@@ -81,11 +114,44 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
         share_[i] = faces[i].area/max(area[faces[i].place.object], VSMALL);
     }
 
+    setCuts(surfaces);
     transposeSums
     (
         scalarField(geometry_.grid().mesh().nCells(), 1),
         uniformForce_
     );
+    vectorField cut(nNodes_, Zero);
+    forAll(cutNodes_, i)
+    {
+        cut[cutNodes_[i]] -= cutAreas_[i];
+    }
+    sumOverRanks(cut);
+    uniformForce_ += cut;
+}
+
+
+void Foam::fsi::wallOperator::outsideForce
+(
+    const volScalarField& p,
+    vectorField& force
+) const
+{
+    // The mean pressure of each object, and with it J^T p
+    transposeSums(p.primitiveField(), force);
+    force = Zero;
+
+    const polyBoundaryMesh& boundary = p.mesh().boundaryMesh();
+    forAll(cutNodes_, i)
+    {
+        const label patchi = boundary.whichPatch(cutFaces_[i]);
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        const scalar outside =
+            pp.fixesValue()
+          ? pp[cutFaces_[i] - boundary[patchi].start()]
+          : meanPressure_[pointObject_[cutNodes_[i]]];
+        force[cutNodes_[i]] -= outside*cutAreas_[i];
+    }
+    sumOverRanks(force);
 }
 
 

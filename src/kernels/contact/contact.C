@@ -70,7 +70,8 @@ Foam::fsi::contact::contact
     const direction nDims,
     const scalar spacing,
     const scalar youngsModulus,
-    const scalar viscosity
+    const scalar viscosity,
+    const periodicImages& images
 )
 :
     scales_(readScales(dict, spacing, youngsModulus, viscosity)),
@@ -79,6 +80,7 @@ Foam::fsi::contact::contact
     search_(contactSearch::New(dict.subOrEmptyDict("search"))),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
     film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
+    images_(images),
     limiter_(dictionary()),
     limitSearch_(contactSearch::New(dictionary())),
     moved_(nDims)
@@ -91,56 +93,18 @@ Foam::fsi::contact::contact
             << " 'lubrication'); laws derived from potentialContact do:"
             << " elastic, Morse, LennardJones" << exit(FatalIOError);
     }
+    if (images_.cyclic() && (needsMedialAxis() || needsInternalForces()))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Search 'medialAxis' and law 'thesis' in dictionary "
+            << dict.name() << " do not see through cyclic patches;"
+            << " valid searches and laws are all others"
+            << exit(FatalIOError);
+    }
 }
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::contact::count(const surfaceSet& surfaces)
-{
-    statistics_.contacts = 0;
-    statistics_.smallestGap = GREAT;
-    statistics_.potentialEnergy = 0;
-    statistics_.sweeps = 0;
-    statistics_.objectContacts.setSize(surfaces.size());
-    statistics_.objectContacts = 0;
-    statistics_.objectGaps.setSize(surfaces.size());
-    statistics_.objectGaps = GREAT;
-    touching_.clear();
-
-    for (const contactPair& pair : found_.pairs)
-    {
-        const label own = surfaces.pointObject()[pair.node];
-        scalar& ownGap = statistics_.objectGaps[own];
-        ownGap = min(ownGap, pair.gap);
-        if (pair.other >= 0)
-        {
-            scalar& otherGap = statistics_.objectGaps[pair.other];
-            otherGap = min(otherGap, pair.gap);
-        }
-        statistics_.smallestGap = min(statistics_.smallestGap, pair.gap);
-        if (pair.gap < scales_.range)
-        {
-            touching_.append
-            (
-                labelPair(min(own, pair.other), max(own, pair.other))
-            );
-        }
-    }
-
-    std::sort(touching_.begin(), touching_.end());
-    const auto end = std::unique(touching_.begin(), touching_.end());
-    for (auto touch = touching_.begin(); touch != end; ++touch)
-    {
-        ++statistics_.contacts;
-        ++statistics_.objectContacts[touch->second()];
-        if (touch->first() >= 0)
-        {
-            ++statistics_.objectContacts[touch->first()];
-        }
-    }
-}
-
 
 void Foam::fsi::contact::setStretches
 (
@@ -193,10 +157,8 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
 {
     if (!searched(surfaces))
     {
-        search_->find
-        (
-            surfaces, walls, medialAxis, scales_.range + margin_, found_
-        );
+        const scalar range = scales_.range + margin_;
+        find(search_(), surfaces, walls, medialAxis, range, found_);
         setStretches(surfaces, bodies);
         searched_ = surfaces.points();
     }
@@ -242,8 +204,9 @@ Foam::label Foam::fsi::contact::limit
     // Pairs where the step would put the surfaces
     moved_ = surfaces;
     moved_.points() += dt*surfaces.velocities();
-    limitSearch_->find
+    find
     (
+        limitSearch_(),
         moved_,
         walls,
         UList<medialAxisPoint>(),

@@ -13,6 +13,36 @@ Foam::fsi::surfaceSet::surfaceSet(const direction nDims)
 {}
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::surfaceSet::copyImage
+(
+    const label imagei,
+    const vector& shift
+)
+{
+    const label objecti = original(imagei);
+    const label offset = pointStart_[imagei] - pointStart_[objecti];
+    for (label i = pointStart_[imagei]; i < pointStart_[imagei + 1]; ++i)
+    {
+        points_[i] = points_[i - offset] + shift;
+        velocities_[i] = velocities_[i - offset];
+        pointObject_[i] = imagei;
+    }
+
+    const label faceOffset = faceStart_[imagei] - faceStart_[objecti];
+    for (label i = faceStart_[imagei]; i < faceStart_[imagei + 1]; ++i)
+    {
+        faces_[i] = faces_[i - faceOffset];
+        for (label& nodei : faces_[i])
+        {
+            nodei = nodei < 0 ? -1 : nodei + offset;
+        }
+        faceObject_[i] = imagei;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::label Foam::fsi::surfaceSet::append
@@ -21,6 +51,13 @@ Foam::label Foam::fsi::surfaceSet::append
     const List<surfaceFace>& faces
 )
 {
+    if (original_.size())
+    {
+        FatalErrorInFunction
+            << "Objects cannot be appended behind images"
+            << exit(FatalError);
+    }
+
     const label objecti = size();
     const label offset = points_.size();
 
@@ -43,6 +80,39 @@ Foam::label Foam::fsi::surfaceSet::append
     faceStart_.append(faces_.size());
 
     return objecti;
+}
+
+
+void Foam::fsi::surfaceSet::appendImages
+(
+    const labelUList& originals,
+    const UList<vector>& shifts
+)
+{
+    const label first = size();
+    pointStart_.resize(first + originals.size() + 1);
+    faceStart_.resize(first + originals.size() + 1);
+    forAll(originals, i)
+    {
+        const label objecti = originals[i];
+        pointStart_[first + i + 1] =
+            pointStart_[first + i]
+          + pointStart_[objecti + 1] - pointStart_[objecti];
+        faceStart_[first + i + 1] =
+            faceStart_[first + i]
+          + faceStart_[objecti + 1] - faceStart_[objecti];
+    }
+    original_.append(originals);
+
+    points_.resize(pointStart_.last());
+    velocities_.resize(pointStart_.last());
+    pointObject_.resize(pointStart_.last());
+    faces_.resize(faceStart_.last());
+    faceObject_.resize(faceStart_.last());
+    forAll(originals, i)
+    {
+        copyImage(first + i, shifts[i]);
+    }
 }
 
 

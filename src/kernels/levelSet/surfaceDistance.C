@@ -3,6 +3,22 @@
 #include "surfaceDistance.H"
 #include "triangleProjection.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- A square of a distance is less than another if it is less by more than
+//  round-off: beside a corner the first of its two faces counts, wherever the
+//  object is
+static const scalar clearlyLess = 1 - 1e-10;
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::surfaceDistance::check
@@ -109,7 +125,7 @@ void Foam::fsi::surfaceDistance::addFace
             {
                 p.x() = block.latticePosition(i, 0);
                 const scalar distance = face.distanceSqr(p);
-                if (distance < distance_[row + i])
+                if (distance < clearlyLess*distance_[row + i])
                 {
                     distance_[row + i] = distance;
                     nearestFace_[row + i] = facei;

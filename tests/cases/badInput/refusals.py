@@ -34,6 +34,9 @@ SEEDING = [
     ("unknown motion", {"more": "motion { type jumping; }"},
      ("jumping", "oscillating")),
     ("unknown placement", {"type": "heap"}, ("heap", "listed")),
+    ("obstacle outside the domain",
+     {"objects": "{ centre (1.5 0.5 0); }", "more": "motion { type fixed; }"},
+     ("objects", "object 0", "not in the domain")),
     ("overlapping objects",
      {"objects": "{ centre (0.5 0.5 0); } { centre (0.6 0.5 0); }"},
      ("objects", "object 1", "object 0")),
@@ -74,6 +77,22 @@ PROPERTIES = [
      ("law", "glue", "elastic")),
     ("unknown contact search", "contact { search { type luck; } }",
      ("search", "luck", "surfaceCells")),
+    ("unknown driving force", "drivingForce { type wind; }",
+     ("drivingForce", "wind", "meanVelocity")),
+    ("feed at a patch that is not open",
+     "boundaries { feed { top { shape disc; rate 1; } } }",
+     ("top", "open patch", "left")),
+    ("feed of an unknown shape",
+     "boundaries { feed { left { shape blob; rate 1; velocity (1 0 0); } } }",
+     ("shape", "blob", "disc")),
+    ("feed without a rate",
+     "boundaries { feed { left { shape disc; velocity (1 0 0); } } }",
+     ("rate", "areaFraction")),
+    ("feed that moves outward", "boundaries { feed { left { shape disc; "
+     "rate 1; velocity (-1 0 0); } } }", ("velocity", "into the domain")),
+    ("feed through too narrow a patch", "boundaries { feed { left { shape "
+     "disc; rate 1; velocity (1 0 0); sideGap 0.41; } } }",
+     ("sideGap", "never fits", "left")),
     ("negative fluid density", "fluidDensity -1;", ("fluidDensity", "-1")),
 ]
 
@@ -163,8 +182,11 @@ def check_control(report, case):
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
-    case = fsiCase.Case(os.path.join(folder, "case"), cells=(32, 32),
-                        endTime=0.01, **shapes({}))
+    case = fsiCase.Case(
+        os.path.join(folder, "case"), cells=(32, 32), endTime=0.01,
+        open={"left": ("type zeroGradient;",
+                       "type fixedValue; value uniform 0;")},
+        **shapes({}))
     log = (report.attempt("set-up", case.set_up)
            and report.attempt("good input is accepted", case.run,
                               "fsiPisoFoam"))

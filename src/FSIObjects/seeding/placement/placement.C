@@ -3,7 +3,7 @@
 #include "placement.H"
 #include "dictionaryCheck.H"
 #include "outlineTools.H"
-#include "unitConversion.H"
+#include "randomInPlane.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -157,8 +157,7 @@ Foam::label Foam::fsi::placement::readNumber
 
 Foam::tensor Foam::fsi::placement::rotation(const scalar degrees)
 {
-    const scalar c = cos(degToRad(degrees)), s = sin(degToRad(degrees));
-    return tensor(c, -s, 0, s, c, 0, 0, 0, 1);
+    return rotationAboutZ(degrees);
 }
 
 
@@ -170,14 +169,7 @@ Foam::tensor Foam::fsi::placement::randomRotation()
 
 Foam::vector Foam::fsi::placement::randomInDisc()
 {
-    vector v(Zero);
-    do
-    {
-        v.x() = 2*random_.sample01<scalar>() - 1;
-        v.y() = 2*random_.sample01<scalar>() - 1;
-    }
-    while (magSqr(v) > 1);
-    return v;
+    return fsi::randomInDisc(random_);
 }
 
 

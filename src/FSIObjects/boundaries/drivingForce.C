@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "drivingForce.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(drivingForce, 0);
+    defineRunTimeSelectionTable(drivingForce, dictionary);
+    addToRunTimeSelectionTable(drivingForce, drivingForce, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::drivingForce::drivingForce(const fvMesh&, const dictionary& dict)
+{
+    if (dict.lookupOrDefault<word>("type", typeName) == typeName)
+    {
+        checkKeys(dict, {"type"});
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fsi::drivingForce> Foam::fsi::drivingForce::New
+(
+    const fvMesh& mesh,
+    const dictionary& fsiProperties
+)
+{
+    const dictionary& dict = fsiProperties.subOrEmptyDict("drivingForce");
+    const word type(dict.lookupOrDefault<word>("type", typeName));
+    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
+    if (!cstrIter.found())
+    {
+        FatalIOErrorInLookup
+        (
+            fsiProperties,
+            "drivingForce",
+            type,
+            *dictionaryConstructorTablePtr_
+        ) << exit(FatalIOError);
+    }
+    return cstrIter()(mesh, dict);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectFeed.H"
+#include "dictionaryCheck.H"
+#include "randomInPlane.H"
+#include "Switch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- The dictionary, after its keys are checked
+static const dictionary& checkedFeed(const dictionary& dict)
+{
+    checkKeys
+    (
+        dict,
+        {
+            "shape", "rate", "areaFraction", "velocity", "angularVelocity",
+            "velocityPerturbation", "randomRotation", "rotation",
+            "minimumGap", "sideGap", "seed", "startTime", "maxAttempts"
+        }
+    );
+    return dict;
+}
+
+
+//- Box of a patch, of all ranks
+static boundBox patchBounds(const polyMesh& mesh, const word& name)
+{
+    const label patchi = mesh.boundaryMesh().findPatchID(name);
+    return boundBox(mesh.boundaryMesh()[patchi].localPoints(), true);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::fsi::objectFeed::readGroup(const dictionary& dict) const
+{
+    const word shape(dict.get<word>("shape"));
+    const label groupi = objects_.findGroup(shape);
+    if (groupi < 0)
+    {
+        wordList shapes;
+        forAll(objects_.groups(), i)
+        {
+            shapes.append(objects_.shape(i).name());
+        }
+        FatalIOErrorInFunction(dict)
+            << "Unknown shape '" << shape << "' in entry 'shape' of dictionary "
+            << dict.name() << nl << "Valid shapes are " << flatOutput(shapes)
+            << "; shapes that are only fed need an entry in seedObjectsDict"
+            << " without a placement" << exit(FatalIOError);
+    }
+    return groupi;
+}
+
+
+void Foam::fsi::objectFeed::check(const dictionary& dict) const
+{
+    if (dict.found("rate") == dict.found("areaFraction"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Dictionary " << dict.name()
+            << " needs either the entry 'rate' or the entry 'areaFraction'"
+            << exit(FatalIOError);
+    }
+    if ((velocity_ & domainSides::outward(side_)) >= 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'velocity' in dictionary " << dict.name() << " is "
+            << velocity_ << " but must point into the domain, against "
+            << domainSides::outward(side_) << exit(FatalIOError);
+    }
+    if (velocityPerturbation_ >= 1)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'velocityPerturbation' in dictionary " << dict.name()
+            << " is " << velocityPerturbation_ << " but must be below 1"
+            << exit(FatalIOError);
+    }
+
+    const direction along = 1 - side_/2;
+    const scalar width = bounds_.span()[along];
+    scalar across = GREAT;
+    for (label degrees = 0; degrees < 180; ++degrees)
+    {
+        const tensor R(rotationAboutZ(randomRotation_ ? degrees : rotation_));
+        const boundBox box(shape_.moved(R, Zero).bounds());
+        across = min(across, box.span()[along]);
+    }
+    if (across > width - 2*sideGap_)
+    {
+        FatalIOErrorInFunction(dict)
+            << "An object of shape " << objects_.shape(group_).name()
+            << ", at least " << across << " m across, never fits through patch "
+            << patch_ << ", " << width << " m, with the entry 'sideGap' "
+            << sideGap_ << " m on either side"
+            << exit(FatalIOError);
+    }
+}
+
+
+bool Foam::fsi::objectFeed::due(const scalar time) const
+{
+    if (interval_ > 0)
+    {
+        return time >= nextTime_;
+    }
+    if (time < nextTime_)
+    {
+        return false;
+    }
+    // One object more would not exceed the target by more than half of it
+    const scalar own = objects_.shape(group_).referenceVolume();
+    scalar area = 0.5*own;
+    forAll(objects_.groups(), groupi)
+    {
+        area +=
+            objects_.groups()[groupi].size()
+           *objects_.shape(groupi).referenceVolume();
+    }
+    const vector span(grid_.bounds().span());
+    return area <= areaFraction_*span.x()*span.y();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::objectFeed::objectFeed
+(
+    const cartesianMesh& grid,
+    const domainSides& sides,
+    population& objects,
+    const dictionary& dict
+)
+:
+    patch_(checkedFeed(dict).dictName()),
+    grid_(grid),
+    objects_(objects),
+    side_(sides.findPatch(patch_)),
+    bounds_(patchBounds(grid.mesh(), patch_)),
+    group_(readGroup(dict)),
+    shape_(objects.shape(group_).points(), objects.shape(group_).faces()),
+    interval_(dict.found("rate") ? 1/readPositive(dict, "rate") : 0),
+    areaFraction_(readNonNegative(dict, "areaFraction", 0)),
+    velocity_(dict.get<vector>("velocity")),
+    angularVelocity_(dict.lookupOrDefault<vector>("angularVelocity", Zero)),
+    velocityPerturbation_(readNonNegative(dict, "velocityPerturbation", 0)),
+    randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", true)),
+    rotation_(dict.lookupOrDefault<scalar>("rotation", 0)),
+    minimumGap_(readNonNegative(dict, "minimumGap", 3*grid.spacing())),
+    sideGap_(readNonNegative(dict, "sideGap", minimumGap_)),
+    seed_(dict.lookupOrDefault<label>("seed", 1)),
+    maxAttempts_(label(readPositive(dict, "maxAttempts", 100))),
+    nFed_(0),
+    nDraws_(0),
+    nextTime_(dict.lookupOrDefault<scalar>("startTime", 0)),
+    waiting_(false)
+{
+    check(dict);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::objectFeed::update(const scalar time)
+{
+    if (!due(time))
+    {
+        return false;
+    }
+
+    Random random(seed_ + 7919*nDraws_);
+    ++nDraws_;
+    point centre(Zero);
+    tensor rotation(tensor::I);
+    const bool found = findPlace(random, centre, rotation);
+    if (found == waiting_)
+    {
+        waiting_ = !found;
+        Info<< "Feed at " << patch_ << (found ? " waited" : " waits")
+            << " for room, fed " << nFed_ << " so far" << endl;
+    }
+    if (found)
+    {
+        feed(random, centre, rotation);
+        nextTime_ = max(nextTime_ + interval_, time);
+    }
+    return found;
+}
+
+
+void Foam::fsi::objectFeed::write(Ostream& os) const
+{
+    os.writeEntry("fed", nFed_);
+    os.writeEntry("draws", nDraws_);
+    os.writeEntry("nextTime", nextTime_);
+    os.writeEntry("waiting", Switch(waiting_));
+}
+
+
+void Foam::fsi::objectFeed::read(const dictionary& dict)
+{
+    checkKeys(dict, {"fed", "draws", "nextTime", "waiting"});
+    nFed_ = dict.get<label>("fed");
+    nDraws_ = dict.get<label>("draws");
+    nextTime_ = dict.get<scalar>("nextTime");
+    waiting_ = dict.get<Switch>("waiting");
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "openBoundaries.H"
+#include "dictionaryCheck.H"
+#include "localIOdictionary.H"
+#include "writtenDictionary.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::openBoundaries::read()
+{
+    const Time& time = grid_.mesh().time();
+    IOobject io
+    (
+        "fsiBoundaries", time.timeName(), "uniform", time,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+    if (!io.typeHeaderOk<localIOdictionary>(false))
+    {
+        return;
+    }
+
+    const localIOdictionary dict(io);
+    checkKeys(dict, {"FoamFile", "removed", "feed"});
+    removed_ = dict.get<labelList>("removed");
+    const dictionary& feeds = dict.subOrEmptyDict("feed");
+    for (objectFeed& feed : feeds_)
+    {
+        if (feeds.found(feed.patch()))
+        {
+            feed.read(feeds.subDict(feed.patch()));
+        }
+    }
+}
+
+
+Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
+{
+    const boundBox box(objects_.surfaces().bounds(objecti));
+    const bodyGroup& group = objects_.groups()[objects_.objectGroup(objecti)];
+    for (label sidei = 0; sidei < 2*objects_.nDims(); ++sidei)
+    {
+        const scalar beyond = sides_.beyond(sidei, box);
+        if (beyond <= 0)
+        {
+            continue;
+        }
+        if (sides_[sidei] == domainSides::WALL)
+        {
+            FatalErrorInFunction
+                << "Object " << objects_.objectId(objecti) << " of shape "
+                << group.shape().name() << ", from " << box.min() << " to "
+                << box.max() << ", is wholly outside the domain "
+                << sides_.bounds() << ", beyond a wall"
+                << exit(FatalError);
+        }
+        const vector v(group.velocity(objects_.objectCopy(objecti)));
+        if
+        (
+            beyond > grid_.spacing()
+         && sides_[sidei] == domainSides::OPEN
+         && (v & domainSides::outward(sidei)) >= 0
+        )
+        {
+            return sidei;
+        }
+    }
+    return -1;
+}
+
+
+bool Foam::fsi::openBoundaries::removeObjects()
+{
+    DynamicList<label> leaving;
+    for (label objecti = 0; objecti < objects_.size(); ++objecti)
+    {
+        const label sidei = sideLeft(objecti);
+        if (sidei >= 0)
+        {
+            ++removed_[sidei];
+            leaving.append(objecti);
+            Info<< "Object " << objects_.objectId(objecti) << " of shape "
+                << objects_.shape(objects_.objectGroup(objecti)).name()
+                << " left through "
+                << flatOutput(sides_.patches(sidei)) << ", "
+                << removed_[sidei] << " so far" << endl;
+        }
+    }
+    if (leaving.size())
+    {
+        objects_.remove(leaving);
+    }
+    return leaving.size();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::openBoundaries::openBoundaries
+(
+    const cartesianMesh& grid,
+    const domainSides& sides,
+    population& objects,
+    const dictionary& fsiProperties
+)
+:
+    grid_(grid),
+    sides_(sides),
+    objects_(objects),
+    removed_(6, Zero)
+{
+    const dictionary& dict = fsiProperties.subOrEmptyDict("boundaries");
+    checkKeys(dict, {"feed"});
+    const dictionary& feeds = dict.subOrEmptyDict("feed");
+    for (const entry& e : feeds)
+    {
+        if (!e.isDict() || sides.findPatch(e.keyword()) < 0)
+        {
+            FatalIOErrorInFunction(feeds)
+                << "Entry '" << e.keyword() << "' in dictionary "
+                << feeds.name() << " must be the name of an open patch with"
+                << " a dictionary; open patches are "
+                << flatOutput(sides.openPatches()) << exit(FatalIOError);
+        }
+        feeds_.append(new objectFeed(grid, sides, objects, e.dict()));
+    }
+    read();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::openBoundaries::update(const scalar time)
+{
+    bool changed = removeObjects();
+    for (objectFeed& feed : feeds_)
+    {
+        changed = feed.update(time) || changed;
+    }
+    return changed;
+}
+
+
+Foam::label Foam::fsi::openBoundaries::nFed() const
+{
+    label n = 0;
+    for (const objectFeed& feed : feeds_)
+    {
+        n += feed.nFed();
+    }
+    return n;
+}
+
+
+void Foam::fsi::openBoundaries::write() const
+{
+    const Time& time = grid_.mesh().time();
+    writeFile
+    (
+        time, time.timeName(), "uniform", "fsiBoundaries", IOstream::ASCII,
+        [&](Ostream& os)
+        {
+            const label precision = os.precision(17);
+            removed_.writeEntry("removed", os);
+            os.beginBlock("feed");
+            for (const objectFeed& feed : feeds_)
+            {
+                os.beginBlock(feed.patch());
+                feed.write(os);
+                os.endBlock();
+            }
+            os.endBlock();
+            os.precision(precision);
+        }
+    );
+}
+
+
+// ************************************************************************* //

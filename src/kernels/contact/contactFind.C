@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "contact.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::contact::find
+(
+    contactSearch& search,
+    const surfaceSet& surfaces,
+    const UList<contactWall>& walls,
+    const UList<medialAxisPoint>& medialAxis,
+    const scalar range,
+    contactPairs& found
+)
+{
+    const surfaceSet& all = images_.update(surfaces, range);
+    search.find(all, walls, medialAxis, range, found);
+    if (all.nOriginals() == all.size())
+    {
+        return;
+    }
+
+    // What images' nodes find their originals find with other images
+    label n = 0;
+    for (const contactPair& pair : found.pairs)
+    {
+        if (all.originalNode(pair.node) == pair.node)
+        {
+            contactPair& kept = found.pairs[n++];
+            kept = pair;
+            if (pair.face >= 0)
+            {
+                kept.other = all.original(pair.other);
+                kept.face = all.originalFace(pair.face);
+            }
+        }
+    }
+    found.pairs.resize(n);
+}
+
+
+void Foam::fsi::contact::count(const surfaceSet& surfaces)
+{
+    statistics_.contacts = 0;
+    statistics_.smallestGap = GREAT;
+    statistics_.potentialEnergy = 0;
+    statistics_.sweeps = 0;
+    statistics_.objectContacts.setSize(surfaces.size());
+    statistics_.objectContacts = 0;
+    statistics_.objectGaps.setSize(surfaces.size());
+    statistics_.objectGaps = GREAT;
+    touching_.clear();
+
+    for (const contactPair& pair : found_.pairs)
+    {
+        const label own = surfaces.pointObject()[pair.node];
+        scalar& ownGap = statistics_.objectGaps[own];
+        ownGap = min(ownGap, pair.gap);
+        if (pair.other >= 0)
+        {
+            scalar& otherGap = statistics_.objectGaps[pair.other];
+            otherGap = min(otherGap, pair.gap);
+        }
+        statistics_.smallestGap = min(statistics_.smallestGap, pair.gap);
+        if (pair.gap < scales_.range)
+        {
+            touching_.append
+            (
+                labelPair(min(own, pair.other), max(own, pair.other))
+            );
+        }
+    }
+
+    std::sort(touching_.begin(), touching_.end());
+    const auto end = std::unique(touching_.begin(), touching_.end());
+    for (auto touch = touching_.begin(); touch != end; ++touch)
+    {
+        ++statistics_.contacts;
+        ++statistics_.objectContacts[touch->second()];
+        if (touch->first() >= 0)
+        {
+            ++statistics_.objectContacts[touch->first()];
+        }
+    }
+}
+
+
+// ************************************************************************* //

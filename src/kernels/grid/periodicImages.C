@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "periodicImages.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::periodicImages::check
+(
+    const label objecti,
+    const boundBox& bounds,
+    const scalar distance
+) const
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar length = bounds.span()[d];
+        if (period_[d] > 0 && length + distance > period_[d])
+        {
+            FatalErrorInFunction
+                << "Object " << objecti << " is " << length
+                << " m long in direction " << label(d)
+                << ", from " << bounds.min() << " to " << bounds.max()
+                << ": with the gap of " << distance
+                << " m (range of contact or band of the level set) to its own"
+                << " image it does not fit into the period of the cyclic"
+                << " patches, " << period_[d] << " m"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::fsi::periodicImages::findImages
+(
+    const label objecti,
+    const boundBox& bounds,
+    const boundBox& box,
+    const direction nDims,
+    DynamicList<label>& originals,
+    DynamicList<vector>& shifts
+) const
+{
+    const auto steps = [&](const direction d)
+    {
+        return label(d < nDims && period_[d] > 0 ? 1 : 0);
+    };
+
+    labelVector n;
+    for (n[2] = -steps(2); n[2] <= steps(2); ++n[2])
+    {
+        for (n[1] = -steps(1); n[1] <= steps(1); ++n[1])
+        {
+            for (n[0] = -steps(0); n[0] <= steps(0); ++n[0])
+            {
+                vector shift(Zero);
+                bool near = n != labelVector::zero;
+                for (direction d = 0; d < nDims; ++d)
+                {
+                    shift[d] = n[d]*period_[d];
+                    near =
+                        near
+                     && bounds.min()[d] + shift[d] < box.max()[d]
+                     && bounds.max()[d] + shift[d] > box.min()[d];
+                }
+                if (near)
+                {
+                    originals.append(objecti);
+                    shifts.append(shift);
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::periodicImages::periodicImages()
+:
+    domain_(point::zero, point::zero),
+    period_(Zero),
+    all_(2)
+{}
+
+
+Foam::fsi::periodicImages::periodicImages
+(
+    const boundBox& domain,
+    const vector& period
+)
+:
+    domain_(domain),
+    period_(period),
+    all_(2)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const Foam::fsi::surfaceSet& Foam::fsi::periodicImages::update
+(
+    const surfaceSet& surfaces,
+    const scalar distance
+)
+{
+    if (!cyclic())
+    {
+        return surfaces;
+    }
+
+    // What images must come near to: the domain and all that sticks out
+    const vector margin(distance, distance, distance);
+    boundBox box(domain_);
+    List<boundBox> bounds(surfaces.size());
+    forAll(bounds, objecti)
+    {
+        bounds[objecti] = surfaces.bounds(objecti);
+        check(objecti, bounds[objecti], distance);
+        box.add(bounds[objecti]);
+    }
+    box = boundBox(box.min() - margin, box.max() + margin);
+
+    DynamicList<label> originals;
+    DynamicList<vector> shifts;
+    forAll(bounds, objecti)
+    {
+        findImages
+        (
+            objecti,
+            bounds[objecti],
+            box,
+            surfaces.nDims(),
+            originals,
+            shifts
+        );
+    }
+
+    all_ = surfaces;
+    all_.appendImages(originals, shifts);
+    return all_;
+}
+
+
+Foam::labelVector Foam::fsi::periodicImages::periodsOutside
+(
+    const point& p
+) const
+{
+    labelVector n(0, 0, 0);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (period_[d] > 0)
+        {
+            n[d] = label(floor((p[d] - domain_.min()[d])/period_[d]));
+        }
+    }
+    return n;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,209 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects leave through an outflow and are fed at an inflow.
+
+    through.py FOLDER
+
+A channel 2 long and 1 wide, inflow on the left with speed 1.
+"""
+
+import os
+import re
+import sys
+
+import fsiCase
+import results
+
+SPEED = 1
+
+CELLS = (48, 24)
+
+DISC = """
+disc
+{{
+    shape {{ type circle; radius 0.15; }}
+    material {{ density {}; E 100; }}
+}}
+"""
+
+OPEN = {
+    "left": (f"type fixedValue; value uniform ({SPEED} 0 0);",
+             "type zeroGradient;"),
+    "right": ("type zeroGradient;", "type fixedValue; value uniform 0;"),
+}
+
+# Walls that move with the fluid: nothing disturbs a uniform flow
+PLUG = {"bottom": f"({SPEED} 0 0)", "top": f"({SPEED} 0 0)"}
+
+
+def channel(folder, name, discs, density=1, **parameters):
+    """The channel with discs (x, y, u) in it, seeded."""
+    objects = " ".join(f"{{ centre ({x} {y} 0); velocity ({u} 0 0); }}"
+                       for x, y, u in discs)
+    options = {
+        "box": (0, 0, 2, 1), "cells": CELLS, "open": OPEN,
+        "velocity": f"({SPEED} 0 0)", "viscosity": 0.01,
+        "shapes": DISC.format(density),
+        "placements": "discs { type listed; shape disc; "
+                      f"objects ({objects}); }}",
+        "deltaT": 0.01, "endTime": 0.8, "writePrecision": 12,
+        "p_tolerance": 1e-11, "U_tolerance": 1e-11, **parameters,
+    }
+    return fsiCase.Case(os.path.join(folder, name), **options).set_up()
+
+
+def solve(*args, **parameters):
+    """Makes and runs a channel; the case folder."""
+    case = channel(*args, **parameters)
+    case.run("fsiPisoFoam")
+    return case.path
+
+
+def field(case, time, name):
+    """Values of a scalar field, and the first components of a vector field."""
+    text = results.read(case, time, name)
+    uniform = re.search(r"internalField\s+uniform (\S+);", text)
+    if uniform:
+        return [float(uniform.group(1))]*CELLS[0]*CELLS[1]
+    values = results.numbers(text, "internalField")
+    return values[::3] if "volVectorField" in text else values
+
+
+def check_uniform(report, folder):
+    """A disc that moves with a uniform flow leaves without any trace."""
+    case = report.attempt("uniform flow", solve, folder, "uniform",
+                          ((1.5, 0.47, SPEED),), walls=PLUG, writeInterval=5)
+    if case is None:
+        return
+    times = [t for t in results.times(case) if float(t) > 0]
+    p = max(abs(v) for t in times for v in field(case, t, "p"))
+    u = max(abs(v - SPEED) for t in times for v in field(case, t, "U"))
+    print(f"    pressure {p:.1e}, velocity {u:.1e} off")
+    # Of the dynamic pressure 1/2 and of the speed
+    report.check("uniform flow: no pressure", p < 1e-6, f"{p:.2e}")
+    report.check("uniform flow: no change of velocity", u < 1e-6, f"{u:.2e}")
+    last = results.table(case, "global.csv")[-1]
+    report.check("the disc is removed and counted",
+                 (last["objects"], last["removed"]) == (0, 1), last)
+    log = results.read(case, "log.fsiPisoFoam")
+    report.check("the log tells that it left", "left through" in log, "no")
+
+
+def check_pressure(report, folder):
+    """A heavy slow disc is pushed out: pressure from step to step."""
+    steps = 160
+    case = report.attempt(
+        "heavy disc", solve, folder, "heavy", ((1.5, 0.47, 0.3),), density=3,
+        endTime=0.01*steps, writeInterval=1)
+    if case is None:
+        return
+    changes = pressure_changes(case)
+    removed = [int(r["removed"]) for r in results.table(case, "global.csv")]
+    if 1 not in removed:
+        report.check("the heavy disc leaves", False, "it does not")
+        return
+
+    # The step of removal, and those in which the disc sticks out; before, from
+    # the tenth step on, after the start
+    step = removed.index(1)
+    reaches = [max(x for x, _ in polygon) for polygon in
+               (results.outlines(case, t)[0]
+                for t in results.times(case)[1:step + 1])]
+    first = next(i for i, x in enumerate(reaches) if x > 2)
+    inside, leaving = max(changes[10:first]), max(changes[first:step])
+    print(f"    largest change of p in a step, of the dynamic pressure: "
+          f"{2*inside:.3f} inside, {2*leaving:.3f} while it leaves, "
+          f"{2*changes[step]:.1e} at removal")
+    report.check("no pressure spike at removal", changes[step] < 0.01*0.5,
+                 f"{changes[step]:.2e}")
+    report.check("no pressure spike while it leaves", leaving < inside,
+                 f"{leaving:.2e} against {inside:.2e} inside")
+
+
+def pressure_changes(case):
+    """Largest change of p in each step, of the cells in the fluid before and
+    after it; the first step has none."""
+    changes, before = [0], None
+    for time in results.times(case)[1:]:
+        after = [p if phi > 0 else None for p, phi in zip(
+            field(case, time, "p"), field(case, time, "signedDistance"))]
+        if before:
+            changes.append(max(abs(q - p) for p, q in zip(before, after)
+                               if p is not None and q is not None))
+        before = after
+    return changes
+
+
+FEED = ("boundaries {{ feed {{ left {{ shape disc; velocity (1 0 0); seed 5; "
+        "{} }} }} }}\nddtPhiCoeff 0;\n")
+
+
+def check_feed(report, folder):
+    """Discs are fed at a rate; a restart goes on as the run would."""
+    runs = {}
+    for name, ends in (("whole", (1.2,)), ("parts", (0.6, 1.2))):
+        case = report.attempt(
+            f"feed, {name}, set-up", channel, folder, name,
+            ((0.5, 0.5, 1),), writeInterval=60, writePrecision=17,
+            properties=FEED.format("rate 2.5; velocityPerturbation 0.05;"))
+        if case is None:
+            return
+        for end in ends:
+            case.control(startFrom="latestTime", endTime=end)
+            if report.attempt(f"feed, {name}, to {end}", case.run,
+                              "fsiPisoFoam") is None:
+                return
+        runs[name] = case.path
+    rows = results.table(runs["whole"], "global.csv")
+    last = rows[-1]
+    report.check("a disc is fed every 0.4 s", last["fed"] == 3, last["fed"])
+    report.check("no object is lost",
+                 all(r["objects"] == 1 + r["fed"] - r["removed"]
+                     for r in rows), "the numbers do not add up")
+    one, other = (results.state(runs[name], "1.2") for name in runs)
+    report.check("a restart feeds the same", one == other,
+                 f"objects {list(one)} and {list(other)}, or their places")
+
+
+def check_crowd(report, folder):
+    """A feed that is faster than there is room waits."""
+    case = report.attempt(
+        "crowd", solve, folder, "crowd", ((0.5, 0.5, 1),), endTime=1.2,
+        writeInterval=20, properties=FEED.format("rate 1000;"))
+    if case is None:
+        return
+    log = results.read(case, "log.fsiPisoFoam")
+    report.check("the log tells that the feed waits",
+                 "waits for room" in log, "it does not")
+    rows = results.table(case, "global.csv")
+    report.check("fewer are fed than were asked for, and some",
+                 4 < rows[-1]["fed"] < 100, rows[-1]["fed"])
+    report.check("no object is lost in the crowd",
+                 all(r["objects"] == 1 + r["fed"] - r["removed"]
+                     for r in rows), "the numbers do not add up")
+    for time in results.times(case):
+        pairs = results.overlapping(results.outlines(case, time))
+        report.check(f"no overlap at {time}", not pairs, pairs)
+
+    case = report.attempt(
+        "target", solve, folder, "target", ((0.5, 0.5, 1),), endTime=1.5,
+        properties=FEED.format("areaFraction 0.12;"))
+    if case is None:
+        return
+    n = [r["objects"] for r in results.table(case, "global.csv")]
+    target = 0.12*2/(3.1416*0.15**2)
+    report.check("a target of area is kept", abs(max(n) - target) <= 0.75,
+                 f"{max(n)} objects, target {target:.2f}")
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    check_uniform(report, folder)
+    check_pressure(report, folder)
+    check_feed(report, folder)
+    check_crowd(report, folder)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
