@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Soft disc in a driven cavity (Zhao 2008, Sugiyama 2011)."""
+"""Soft disc in a driven cavity (Zhao 2008, Sugiyama 2011).
+
+The reference is a list of points of the path: the height of the left turn,
+where the path is vertical, is the vertex of the parabola through the three
+points about it, (0.3127 0.6439), (0.2894 0.7211), (0.2958 0.7939).
+"""
 
 from common import Case, Row, disc, placed
 
@@ -25,7 +30,7 @@ def soft_disc():
         right = max(rows, key=lambda row: row["centroidX"])
         for name, reference, value in (
                 ("x at its first left turn", 0.2894, left["centroidX"]),
-                ("y at its first left turn", 0.7211, left["centroidY"]),
+                ("y at its first left turn", 0.7406, left["centroidY"]),
                 ("y at its first top", 0.8684, top["centroidY"]),
                 ("x at its first right turn", 0.7021, right["centroidX"]),
                 ("y at its first right turn", 0.7662, right["centroidY"])):

@@ -63,6 +63,43 @@ void Foam::fsi::solidImplicit::pressureForce
 }
 
 
+void Foam::fsi::solidImplicit::addRigid
+(
+    const vectorField& nodal,
+    groupNodal& force
+) const
+{
+    groupNodal boundary;
+    system_.toBoundary(nodal, boundary);
+    forAll(force, groupi)
+    {
+        const bodyGroup& group = system_.objects.groups()[groupi];
+        if (!group.free())
+        {
+            continue;
+        }
+        const Eigen::MatrixXd& r = group.response().rotationModes();
+        const scalarField& masses = group.shape().nodeMasses();
+        const Eigen::Map<const Eigen::VectorXd> mass
+        (
+            masses.cdata(),
+            masses.size()
+        );
+        const label nDims = group.shape().nDims();
+        for (label first = 0; first < r.cols(); first += nDims)
+        {
+            const auto f = boundary[groupi].middleCols(first, nDims);
+            const auto mode = r.middleCols(first, nDims);
+            const scalar turn =
+                mode.topRows(f.rows()).cwiseProduct(f).sum();
+            const Eigen::RowVectorXd net(f.colwise().sum()/mass.sum());
+            force[groupi].middleCols(first, nDims) +=
+                mass*net + turn*(mass.asDiagonal()*mode);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::solidImplicit::begin
@@ -83,11 +120,8 @@ void Foam::fsi::solidImplicit::begin
     vectorField nodal;
     system_.walls.transpose(oldPressure_, nodal);
     groupNodal total;
-    system_.objects.toGroups
-    (
-        gradientForce_ + system_.fluidDensity*nodal,
-        total
-    );
+    system_.objects.toGroups(system_.fluidDensity*nodal, total);
+    addRigid(gradientForce_, total);
 
     predicted_.setSize(total.size());
     forAll(total, groupi)

@@ -74,7 +74,13 @@ void Foam::fsi::shapeTemplate::setMasses()
 {
     const word nodeMass
     (
-        readChoice(materialDict_, "nodeMass", "area", {"area", "uniform"})
+        readChoice
+        (
+            materialDict_,
+            "nodeMass",
+            membrane_.valid() ? "area" : "uniform",
+            {"uniform", "area"}
+        )
     );
     nodeMasses_.resize(nNodes());
     nodeMasses_ = nodeMass == "uniform" ? mass()/nNodes() : 0;

@@ -192,7 +192,7 @@ vector forceOnFirst(const vector& shift, const periodicImages& images)
     bodies.setRigid(surfaces, 0, 1, first, inertia);
     bodies.setRigid(surfaces, 1, 1, second, inertia);
 
-    contact touch(dictionary(), 2, 0.02, 1e3, images);
+    contact touch(dictionary(), 2, 0.02, 1e3, 0, images);
     vectorField force;
     const contactStatistics& s = touch.calculate
     (
