@@ -108,7 +108,10 @@ wallSums sumsOf(const point& centre, const direction split)
     {
         // A face between ranks, or of a cyclic patch, is there twice
         EXPECT_EQ(w.place.object, 0);
-        EXPECT_LT(max(w.place.nodes), surfaces.points().size());
+        for (const label nodei : w.place.nodes)
+        {
+            EXPECT_LT(nodei, surfaces.points().size());
+        }
         sums.area += w.area*(label(w.lower >= 0) + label(w.upper >= 0));
     }
     for (const wallLink& link : geometry.wallLinks())
