@@ -203,9 +203,9 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
         }
         const List<objectRecord> records(objectRecord::sample(*objects));
         writer.writeRows(0.25, records);
-    writer.writeShapes(0.25, *objects);
+        writer.writeShapes(0.25, *objects);
         writer.writeRows(0.75, records);
-    writer.writeShapes(0.75, *objects);
+        writer.writeShapes(0.75, *objects);
     }
     if (!Pstream::master())
     {
@@ -217,17 +217,18 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
     ASSERT_EQ(objectRows.size(), 1u + 2*5);
     for (const auto& row : objectRows)
     {
-        EXPECT_EQ(row.size(), 19u);
+        EXPECT_EQ(row.size(), 21u);
     }
     EXPECT_EQ(objectRows[0][0], "time");
     EXPECT_EQ(objectRows[6][0], "0.75");
     EXPECT_EQ(objectRows[6][2], "disc");
-    EXPECT_EQ(objectRows[1][18], "inf");
+    EXPECT_EQ(objectRows[0][20], "smallestGap");
+    EXPECT_EQ(objectRows[1][20], "inf");
 
     const auto globalRows = readTable(folder/"global.csv");
     ASSERT_EQ(globalRows.size(), 1u + 3);
-    EXPECT_EQ(globalRows[0].size(), 15u);
-    EXPECT_EQ(globalRows[3].size(), 15u);
+    EXPECT_EQ(globalRows[0].size(), 18u);
+    EXPECT_EQ(globalRows[3].size(), 18u);
     EXPECT_EQ(globalRows[3][0], "1");
 
     const std::string series = readText(folder/"surfaces.vtp.series");

@@ -30,7 +30,8 @@ TEST(SurfaceDistance, DistanceAndFaceAreThoseOfASearchOverAllFaces)
         const scalar exact = min(bruteDistance(surfaces, p), band);
         const label facei = levelSet.nearestFace()[samplei];
         ASSERT_NEAR(mag(levelSet.distance()[samplei]), exact, 1e-15);
-        ASSERT_EQ(facei >= 0, exact < band);
+        // A face at the band's edge to round-off is not noticed
+        ASSERT_EQ(facei >= 0, exact < (1 - 1e-10)*band);
         if (facei >= 0)
         {
             ++nBand;
