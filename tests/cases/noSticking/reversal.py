@@ -31,11 +31,9 @@ cells
     objects ({ centre (0.83 0.56 0); } { centre (1.17 0.44 0); });
 }
 """
-# Each with the gap range and lubrication of a dense suspension, and the default
+# Entries of fsiProperties
 CONTACT = {
     "default": "",
-    "range 1.5 h, lubrication": "contact { range 1.5; lubrication "
-                                "{ type Reynolds; cutOff 1.5; } }\n",
 }
 FIELD = """dimensions [0 1 -1 0 0 0 0];
 internalField uniform (0 0 0);
