@@ -5,7 +5,6 @@ import csv
 import glob
 import os
 import re
-from fractions import Fraction
 
 
 def table(case, name):
@@ -98,62 +97,3 @@ def area(polygon):
 def edges(polygon):
     """Pairs of neighbouring points."""
     return zip(polygon, polygon[1:] + polygon[:1])
-
-
-def orientation(a, b, c):
-    """Sign of the area of the triangle, exact."""
-    left, right = (b[0] - a[0])*(c[1] - a[1]), (b[1] - a[1])*(c[0] - a[0])
-    value = left - right
-    if abs(value) < 1e-14*(abs(left) + abs(right)) or value == 0:
-        ax, ay, bx, by, cx, cy = map(Fraction, (*a, *b, *c))
-        value = (bx - ax)*(cy - ay) - (by - ay)*(cx - ax)
-    return (value > 0) - (value < 0)
-
-
-def segments_meet(a, b, c, d):
-    """True if two closed segments have a point in common."""
-    for i in (0, 1):
-        if (max(a[i], b[i]) < min(c[i], d[i])
-                or max(c[i], d[i]) < min(a[i], b[i])):
-            return False
-    return (orientation(a, b, c)*orientation(a, b, d) <= 0
-            and orientation(c, d, a)*orientation(c, d, b) <= 0)
-
-
-def inside(polygon, p):
-    """True if a point is inside a polygon (exact winding by crossings)."""
-    odd = False
-    for a, b in edges(polygon):
-        if (a[1] > p[1]) != (b[1] > p[1]):
-            odd ^= orientation(a, b, p) == (1 if b[1] > a[1] else -1)
-    return odd
-
-
-def box(polygon):
-    """Smallest and largest coordinates."""
-    return tuple(f(p[i] for p in polygon) for i in (0, 1) for f in (min, max))
-
-
-def overlap(one, other):
-    """True if two polygons have a point in common."""
-    b, c = box(one), box(other)
-    if any(b[i] > c[i + 1] or c[i] > b[i + 1] for i in (0, 2)):
-        return False
-
-    # Only edges in the other's box can meet it
-    def near(polygon, limits):
-        return [e for e in edges(polygon)
-                if all(min(e[0][i], e[1][i]) <= limits[2*i + 1]
-                       and max(e[0][i], e[1][i]) >= limits[2*i]
-                       for i in (0, 1))]
-
-    if any(segments_meet(*e, *f) for e in near(one, c) for f in near(other, b)):
-        return True
-    return inside(one, other[0]) or inside(other, one[0])
-
-
-def overlapping(polygons):
-    """Pairs of keys of a dictionary of polygons that overlap."""
-    keys = sorted(polygons)
-    return [(i, j) for i in keys for j in keys
-            if i < j and overlap(polygons[i], polygons[j])]

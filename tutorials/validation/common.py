@@ -32,31 +32,11 @@ class Row:
 
 
 class Case(fsiCase.Case):
-    """A box some of whose sides are open. velocity, pressure: boundary
-    conditions of sides other than walls at rest."""
+    """A case in the folder of the cases."""
 
-    def __init__(self, name, velocity=None, pressure=None, **parameters):
-        self.velocity = velocity or {}
-        self.pressure = pressure or {}
+    def __init__(self, name, **parameters):
         parameters.setdefault("writeControl", "adjustableRunTime")
         super().__init__(os.path.join(FOLDER, name), **parameters)
-
-    def mesh(self):
-        """The box with its open sides."""
-        super().mesh()
-        for side in self.velocity:
-            self.replace("system/blockMeshDict", f"{side} {{ type wall;",
-                         f"{side} {{ type patch;")
-
-    def fields(self):
-        """Open sides in place of walls."""
-        super().fields()
-        still = "type fixedValue; value uniform (0 0 0);"
-        for side, condition in self.velocity.items():
-            self.replace("0/U", f"{side} {{ {still}", f"{side} {{ {condition}")
-        for side, condition in self.pressure.items():
-            self.replace("0/p", f"{side} {{ type zeroGradient;",
-                         f"{side} {{ {condition}")
 
     def replace(self, name, old, new):
         """Replaces a text that must be in a file."""

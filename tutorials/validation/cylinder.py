@@ -18,10 +18,11 @@ def channel(name, cells, peak, coarse=None, **controls):
     )
     case = Case(
         name, box=(0, 0, nx*h, HEIGHT), cells=(nx, ny), viscosity=1e-3,
-        velocity={"left": "type fixedValue; value nonuniform "
-                          f"List<vector> {ny} ({profile});",
-                  "right": "type zeroGradient;"},
-        pressure={"right": "type fixedValue; value uniform 0;"},
+        open={"left": ("type fixedValue; value nonuniform "
+                       f"List<vector> {ny} ({profile});",
+                       "type zeroGradient;"),
+              "right": ("type zeroGradient;",
+                        "type fixedValue; value uniform 0;")},
         shapes=disc(0.05, "density 1; E 1e3;", "motion { type fixed; }"),
         placements=placed("disc", (0.2, 0.2)), **controls)
     return case.start_from(coarse) if coarse else case

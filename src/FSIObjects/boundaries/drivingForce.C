@@ -3,6 +3,7 @@
 #include "drivingForce.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -38,18 +39,10 @@ Foam::autoPtr<Foam::fsi::drivingForce> Foam::fsi::drivingForce::New
 {
     const dictionary& dict = fsiProperties.subOrEmptyDict("drivingForce");
     const word type(dict.lookupOrDefault<word>("type", typeName));
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            fsiProperties,
-            "drivingForce",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-    return cstrIter()(mesh, dict);
+    return constructorOf
+    (
+        *dictionaryConstructorTablePtr_, fsiProperties, "drivingForce", type
+    )(mesh, dict);
 }
 
 

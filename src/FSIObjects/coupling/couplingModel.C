@@ -2,6 +2,7 @@
 
 #include "couplingModel.H"
 #include "objectContact.H"
+#include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -43,18 +44,10 @@ Foam::autoPtr<Foam::fsi::couplingModel> Foam::fsi::couplingModel::New
 {
     const dictionary& dict = system.properties.subOrEmptyDict("coupling");
     const word type(dict.lookupOrDefault<word>("type", "solidImplicit"));
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            system.properties,
-            "coupling",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-    return cstrIter()(system, timer, dict);
+    return constructorOf
+    (
+        *dictionaryConstructorTablePtr_, system.properties, "coupling", type
+    )(system, timer, dict);
 }
 
 

@@ -12,47 +12,29 @@ Foam::fsi::laneResponse::laneResponse(const bodyGroup& group)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Eigen::Vector2d Foam::fsi::laneResponse::project
-(
-    const Eigen::MatrixXd& x,
-    const label copyi
-) const
-{
-    const label nDims = group_.shape().nDims();
-    const auto columns = x.middleCols(nDims*copyi, nDims);
-    Eigen::Vector2d amount;
-    for (label mode = 0; mode < 2; ++mode)
-    {
-        amount[mode] = turned_[mode].middleCols(nDims*copyi, nDims)
-           .cwiseProduct(columns).sum();
-    }
-    return amount;
-}
-
-
 void Foam::fsi::laneResponse::makeModes()
 {
     const bodyResponse& response = group_.response();
     const label nB = group_.shape().nBoundaryNodes();
-    const Eigen::MatrixXd modes[2] =
+    const Eigen::MatrixXd rotations[2] =
     {
         response.rotationModes().topRows(nB),
         response.elasticRotation().topRows(nB)
     };
     for (label mode = 0; mode < 2; ++mode)
     {
-        turned_[mode] = boundary().matrix()*modes[mode];
+        modes_[mode] = multiply(rotations[mode]);
     }
 
-    reduced_.resize(group_.size());
+    added_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
         Eigen::Matrix2d E;
-        E.col(0) = project(modes[0], copyi);
-        E.col(1) = project(modes[1], copyi);
+        E.col(0) = project(rotations[0], copyi);
+        E.col(1) = project(rotations[1], copyi);
         E(0, 0) += 1;
         E(1, 1) -= 1;
-        reduced_[copyi] = E.inverse();
+        added_[copyi] = -E.inverse();
     }
 }
 
@@ -96,7 +78,23 @@ void Foam::fsi::laneResponse::factorBlock
 }
 
 
-void Foam::fsi::laneResponse::solveBlocks
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
+
+void Foam::fsi::laneResponse::makeMatrices(const copyLinks& links)
+{
+    makeModes();
+    factors_.resize
+    (
+        (group_.size() + laneCholesky::lanes - 1)/laneCholesky::lanes
+    );
+    for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
+    {
+        factorBlock(blocki, links);
+    }
+}
+
+
+void Foam::fsi::laneResponse::solveMatrices
 (
     const Eigen::MatrixXd& b,
     Eigen::MatrixXd& x
@@ -135,76 +133,6 @@ void Foam::fsi::laneResponse::solveBlocks
             {
                 to[i] = rows_[lanes*nDims*rowOf[i] + place];
             }
-        }
-    }
-}
-
-
-void Foam::fsi::laneResponse::makeWoodbury()
-{
-    solveBlocks(turned_[0], solved_[0]);
-    solveBlocks(turned_[1], solved_[1]);
-    woodbury_.resize(group_.size());
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        Eigen::Matrix2d inverse(deltaT_*reduced_[copyi].inverse());
-        inverse.col(0) -= project(solved_[0], copyi);
-        inverse.col(1) -= project(solved_[1], copyi);
-        woodbury_[copyi] = inverse.inverse();
-    }
-}
-
-
-// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
-
-void Foam::fsi::laneResponse::prepare(const copyLinks& links)
-{
-    const label nDims = group_.shape().nDims();
-    makeModes();
-    factors_.resize
-    (
-        (group_.size() + laneCholesky::lanes - 1)/laneCholesky::lanes
-    );
-    for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
-    {
-        factorBlock(blocki, links);
-    }
-    makeWoodbury();
-
-    // K v~ = S v~ - Y E Y^T v~
-    const Eigen::MatrixXd start(start_.topRows(boundary().size()));
-    source_ = boundary().matrix()*start;
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        const Eigen::Vector2d amount(reduced_[copyi]*project(start, copyi));
-        for (label mode = 0; mode < 2; ++mode)
-        {
-            source_.middleCols(nDims*copyi, nDims) -=
-                amount[mode]*turned_[mode].middleCols(nDims*copyi, nDims);
-        }
-    }
-    source_ /= deltaT_;
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::laneResponse::solve
-(
-    Eigen::MatrixXd& f,
-    Eigen::MatrixXd& v
-) const
-{
-    const label nDims = group_.shape().nDims();
-    f += source_;
-    solveBlocks(f, v);
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        const Eigen::Vector2d amount(woodbury_[copyi]*project(v, copyi));
-        for (label mode = 0; mode < 2; ++mode)
-        {
-            v.middleCols(nDims*copyi, nDims) +=
-                amount[mode]*solved_[mode].middleCols(nDims*copyi, nDims);
         }
     }
 }

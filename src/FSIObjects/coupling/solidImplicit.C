@@ -143,10 +143,10 @@ void Foam::fsi::solidImplicit::solveMomentum
 )
 {
     volVectorField& U = const_cast<volVectorField&>(UEqn.psi());
-    fvVectorMatrix withPressure(UEqn + gradP);
-    system_.fluid.constrain(withPressure);
+    UEqn += gradP;
+    system_.fluid.constrain(UEqn);
 
-    viscous_.solve(withPressure, U, predicted_, velocity_, linkForce_);
+    viscous_.solve(UEqn, U, predicted_, velocity_, linkForce_);
     constrainVolume(velocity_);
     contact(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);

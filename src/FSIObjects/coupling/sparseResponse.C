@@ -23,32 +23,13 @@ void Foam::fsi::sparseResponse::makeModes()
     );
 
     modes_[0] = mass.asDiagonal()*r;
-    modes_[1] = group_.response().matrix().multiply(r);
+    modes_[1] = multiply(r);
     added_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        const scalar stiffness = product(r, modes_[1], copyi);
+        const scalar stiffness = project(r, copyi)[1];
         added_[copyi] << stiffness + 1, -1, -1, 0;
     }
-}
-
-
-void Foam::fsi::sparseResponse::solveCopy
-(
-    const label copyi,
-    const Eigen::MatrixXd& b,
-    Eigen::MatrixXd& x
-) const
-{
-    // The columns of a copy, one after the other
-    const label nDims = group_.shape().nDims();
-    const label n = nDims*b.rows();
-    typedef Eigen::VectorXd vectorX;
-    Eigen::Map<vectorX>(x.col(nDims*copyi).data(), n) =
-        factors_[copyi]->solve
-        (
-            Eigen::Map<const vectorX>(b.col(nDims*copyi).data(), n)
-        );
 }
 
 
@@ -92,64 +73,36 @@ void Foam::fsi::sparseResponse::factorCopy
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-void Foam::fsi::sparseResponse::prepare(const copyLinks& links)
+void Foam::fsi::sparseResponse::makeMatrices(const copyLinks& links)
 {
-    const label nDims = group_.shape().nDims();
-    const label nCopies = group_.size();
     makeModes();
-    factors_.resize(nCopies);
-    woodbury_.resize(nCopies);
-    for (label mode = 0; mode < 2; ++mode)
-    {
-        solved_[mode].resize(modes_[mode].rows(), modes_[mode].cols());
-    }
-
-    source_ = group_.response().matrix().multiply(start_);
-    for (label copyi = 0; copyi < nCopies; ++copyi)
+    factors_.resize(group_.size());
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
         factorCopy(copyi, links[copyi]);
-        solveCopy(copyi, modes_[0], solved_[0]);
-        solveCopy(copyi, modes_[1], solved_[1]);
-
-        Eigen::Matrix2d inverse(deltaT_*added_[copyi].inverse());
-        inverse.col(0) += project(solved_[0], copyi);
-        inverse.col(1) += project(solved_[1], copyi);
-        woodbury_[copyi] = inverse.inverse();
-
-        const Eigen::Vector2d amount(added_[copyi]*project(start_, copyi));
-        for (label mode = 0; mode < 2; ++mode)
-        {
-            source_.middleCols(nDims*copyi, nDims) +=
-                amount[mode]*modes_[mode].middleCols(nDims*copyi, nDims);
-        }
     }
-    source_ /= deltaT_;
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::sparseResponse::solve
+void Foam::fsi::sparseResponse::solveMatrices
 (
-    Eigen::MatrixXd& f,
-    Eigen::MatrixXd& v
+    const Eigen::MatrixXd& b,
+    Eigen::MatrixXd& x
 ) const
 {
+    // The columns of a copy, one after the other
+    typedef Eigen::VectorXd vectorX;
     const label nDims = group_.shape().nDims();
-    Eigen::MatrixXd b(source_);
-    b.topRows(f.rows()) += f;
-    Eigen::MatrixXd x(b.rows(), b.cols());
+    const label n = nDims*b.rows();
+    x.resize(b.rows(), b.cols());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        solveCopy(copyi, b, x);
-        const Eigen::Vector2d amount(woodbury_[copyi]*project(x, copyi));
-        for (label mode = 0; mode < 2; ++mode)
-        {
-            x.middleCols(nDims*copyi, nDims) -=
-                amount[mode]*solved_[mode].middleCols(nDims*copyi, nDims);
-        }
+        Eigen::Map<vectorX>(x.col(nDims*copyi).data(), n) =
+            factors_[copyi]->solve
+            (
+                Eigen::Map<const vectorX>(b.col(nDims*copyi).data(), n)
+            );
     }
-    v = x.topRows(f.rows());
 }
 
 

@@ -27,18 +27,68 @@ Foam::fsi::viscousResponse::New(const bodyGroup& group)
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::viscousResponse::product
+Eigen::Vector2d Foam::fsi::viscousResponse::project
 (
-    const Eigen::MatrixXd& a,
-    const Eigen::MatrixXd& b,
+    const Eigen::MatrixXd& x,
     const label copyi
 ) const
 {
     const label nDims = group_.shape().nDims();
-    return a.middleCols(nDims*copyi, nDims).cwiseProduct
-    (
-        b.middleCols(nDims*copyi, nDims)
-    ).sum();
+    const auto columns = x.middleCols(nDims*copyi, nDims);
+    Eigen::Vector2d amount;
+    for (label mode = 0; mode < 2; ++mode)
+    {
+        amount[mode] = modes_[mode].middleCols(nDims*copyi, nDims)
+           .cwiseProduct(columns).sum();
+    }
+    return amount;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::viscousResponse::addModes
+(
+    const Eigen::MatrixXd (&modes)[2],
+    const Eigen::Vector2d& amount,
+    const label copyi,
+    Eigen::MatrixXd& x
+) const
+{
+    const label nDims = group_.shape().nDims();
+    for (label mode = 0; mode < 2; ++mode)
+    {
+        x.middleCols(nDims*copyi, nDims) +=
+            amount[mode]*modes[mode].middleCols(nDims*copyi, nDims);
+    }
+}
+
+
+void Foam::fsi::viscousResponse::makeWoodbury()
+{
+    solveMatrices(modes_[0], solved_[0]);
+    solveMatrices(modes_[1], solved_[1]);
+    woodbury_.resize(group_.size());
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        Eigen::Matrix2d inverse(deltaT_*added_[copyi].inverse());
+        inverse.col(0) += project(solved_[0], copyi);
+        inverse.col(1) += project(solved_[1], copyi);
+        woodbury_[copyi] = inverse.inverse();
+    }
+}
+
+
+void Foam::fsi::viscousResponse::makeSource()
+{
+    const Eigen::MatrixXd start(start_.topRows(modes_[0].rows()));
+    source_ = multiply(start);
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        const Eigen::Vector2d amount(added_[copyi]*project(start, copyi));
+        addModes(modes_, amount, copyi, source_);
+    }
+    source_ /= deltaT_;
 }
 
 
@@ -53,7 +103,30 @@ void Foam::fsi::viscousResponse::update
 {
     deltaT_ = dt;
     start_ = predicted;
-    prepare(links);
+    makeMatrices(links);
+    makeWoodbury();
+    makeSource();
+}
+
+
+void Foam::fsi::viscousResponse::solve
+(
+    const Eigen::MatrixXd& f,
+    Eigen::MatrixXd& v
+) const
+{
+    load_ = source_;
+    load_.topRows(f.rows()) += f;
+    solveMatrices(load_, solution_);
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        const Eigen::Vector2d amount
+        (
+            -(woodbury_[copyi]*project(solution_, copyi))
+        );
+        addModes(solved_, amount, copyi, solution_);
+    }
+    v = solution_.topRows(f.rows());
 }
 
 

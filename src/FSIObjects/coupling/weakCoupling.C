@@ -106,16 +106,16 @@ void Foam::fsi::weakCoupling::solveMomentum
     const volVectorField& gradP
 )
 {
-    fvVectorMatrix equation(UEqn + gradP);
-    system_.fluid.constrain(equation);
+    UEqn += gradP;
+    system_.fluid.constrain(UEqn);
     for (const wallLink& link : system_.geometry.wallLinks())
     {
         const scalar g = system_.viscosity*link.conductance;
-        equation.diag()[link.cell] += g;
-        equation.source()[link.cell] +=
+        UEqn.diag()[link.cell] += g;
+        UEqn.source()[link.cell] +=
             g*link.place.interpolate(wallVelocity_);
     }
-    equation.solve();
+    UEqn.solve();
 }
 
 

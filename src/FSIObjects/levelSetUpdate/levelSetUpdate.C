@@ -2,6 +2,7 @@
 
 #include "levelSetUpdate.H"
 #include "dictionaryCheck.H"
+#include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -100,18 +101,10 @@ Foam::autoPtr<Foam::fsi::levelSetUpdate> Foam::fsi::levelSetUpdate::New
 {
     const dictionary& dict = fsiProperties.subOrEmptyDict("levelSet");
     const word type(dict.lookupOrDefault<word>("type", "rebuilt"));
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            fsiProperties,
-            "levelSet",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-    return cstrIter()(grid, dict);
+    return constructorOf
+    (
+        *dictionaryConstructorTablePtr_, fsiProperties, "levelSet", type
+    )(grid, dict);
 }
 
 

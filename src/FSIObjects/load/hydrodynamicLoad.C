@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "hydrodynamicLoad.H"
+#include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -23,18 +24,10 @@ Foam::autoPtr<Foam::fsi::hydrodynamicLoad> Foam::fsi::hydrodynamicLoad::New
 )
 {
     const word type(dict.lookupOrDefault<word>("load", "wallForce"));
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "load",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-    return cstrIter()(system);
+    return constructorOf
+    (
+        *dictionaryConstructorTablePtr_, dict, "load", type
+    )(system);
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallTreatment.H"
+#include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -22,18 +23,10 @@ Foam::autoPtr<Foam::fsi::wallTreatment> Foam::fsi::wallTreatment::New
 )
 {
     const word type(dict.lookupOrDefault<word>("wall", "openArea"));
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!cstrIter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            "wall",
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-    return cstrIter()(dict);
+    return constructorOf
+    (
+        *dictionaryConstructorTablePtr_, dict, "wall", type
+    )(dict);
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "contactLaw.H"
 #include "dictionary.H"
+#include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,18 +25,10 @@ Foam::autoPtr<Foam::fsi::contactLaw> Foam::fsi::contactLaw::New
 )
 {
     const word type(dict.lookupOrDefault<word>("type", "elastic"));
-    const auto iter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!iter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            typeName,
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-    return autoPtr<contactLaw>(iter()(dict, scales));
+    return constructorOf
+    (
+        *dictionaryConstructorTablePtr_, dict, typeName, type
+    )(dict, scales);
 }
 
 

@@ -3,6 +3,7 @@
 #include "contactSearch.H"
 #include "Switch.H"
 #include "dictionaryCheck.H"
+#include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -32,18 +33,10 @@ Foam::autoPtr<Foam::fsi::contactSearch> Foam::fsi::contactSearch::New
 )
 {
     const word type(dict.lookupOrDefault<word>("type", "surfaceCells"));
-    const auto iter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!iter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            typeName,
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-    return autoPtr<contactSearch>(iter()(dict));
+    return constructorOf
+    (
+        *dictionaryConstructorTablePtr_, dict, typeName, type
+    )(dict);
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "lubrication.H"
+#include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -23,18 +24,10 @@ Foam::autoPtr<Foam::fsi::lubrication> Foam::fsi::lubrication::New
 )
 {
     const word type(dict.lookupOrDefault<word>("type", "none"));
-    const auto iter = dictionaryConstructorTablePtr_->cfind(type);
-    if (!iter.found())
-    {
-        FatalIOErrorInLookup
-        (
-            dict,
-            typeName,
-            type,
-            *dictionaryConstructorTablePtr_
-        ) << exit(FatalIOError);
-    }
-    return autoPtr<lubrication>(iter()(dict, scales));
+    return constructorOf
+    (
+        *dictionaryConstructorTablePtr_, dict, typeName, type
+    )(dict, scales);
 }
 
 

@@ -52,6 +52,17 @@ def channel(folder, name, discs, density=1, **parameters):
     return fsiCase.Case(os.path.join(folder, name), **options).set_up()
 
 
+def overlaps(case):
+    """Number of overlaps at each time. The status of checkObjects is not
+    asked for: objects that are being fed are outside the domain, a fault."""
+    try:
+        fsiCase.run(case, "checkObjects")
+    except RuntimeError:
+        pass
+    return dict(re.findall(r"Time = (\S+): \d+ objects, (\d+) overlaps",
+                           results.read(case, "log.checkObjects")))
+
+
 def solve(*args, **parameters):
     """Makes and runs a channel; the case folder."""
     case = channel(*args, **parameters)
@@ -181,9 +192,10 @@ def check_crowd(report, folder):
     report.check("no object is lost in the crowd",
                  all(r["objects"] == 1 + r["fed"] - r["removed"]
                      for r in rows), "the numbers do not add up")
+    found = overlaps(case)
     for time in results.times(case):
-        pairs = results.overlapping(results.outlines(case, time))
-        report.check(f"no overlap at {time}", not pairs, pairs)
+        report.check(f"no overlap at {time}", found.get(time) == "0",
+                     f"{found.get(time)} overlaps")
 
     case = report.attempt(
         "target", solve, folder, "target", ((0.5, 0.5, 1),), endTime=1.5,
