@@ -140,7 +140,8 @@ void Foam::fsi::objectsTerm::nodeDiagonal(scalarField& d) const
 
 Foam::fsi::objectsTerm::objectsTerm(const fsiSystem& system)
 :
-    system_(system)
+    system_(system),
+    levels_(system)
 {}
 
 

@@ -210,6 +210,8 @@ void Foam::fsi::solidImplicit::solveWithObjects
         }
     }
 
+    term_.update(pEqn);
+
     // Patches' parts of diagonal and source, as fvMatrix::solve adds them
     scalarField& diagonal = pEqn.diag();
     forAll(p.boundaryField(), patchi)

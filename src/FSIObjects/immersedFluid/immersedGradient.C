@@ -171,11 +171,17 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
     vectorField weight(mesh.nCells(), Zero);
     sumFaceGradients(p, gradient.primitiveFieldRef(), weight);
 
+    // Normals have a rounding error in the direction that is not solved
+    const direction nDims = geometry_.grid().nDims();
     forAll(gradient, celli)
     {
-        for (direction d = 0; d < 3; ++d)
+        for (direction d = 0; d < nDims; ++d)
         {
             gradient[celli][d] /= max(weight[celli][d], SMALL);
+        }
+        for (direction d = nDims; d < 3; ++d)
+        {
+            gradient[celli][d] = 0;
         }
     }
     gradient.correctBoundaryConditions();

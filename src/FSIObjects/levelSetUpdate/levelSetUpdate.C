@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "levelSetUpdate.H"
+#include "blockInterpolation.H"
 #include "dictionaryCheck.H"
 #include "selection.H"
 
@@ -14,57 +15,6 @@ namespace fsi
     defineRunTimeSelectionTable(levelSetUpdate, dictionary);
 }
 }
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Multilinear interpolation on a block; false if p is not inside it
-static bool interpolate
-(
-    const cartesianBlock& block,
-    const scalarField& values,
-    const point& p,
-    scalar& value
-)
-{
-    const point first(block.position(0));
-    labelVector lower(0, 0, 0);
-    vector part(Zero);
-    for (direction dir = 0; dir < block.nDims(); ++dir)
-    {
-        const scalar s = (p[dir] - first[dir])/block.spacing();
-        if (s < 0 || s >= block.n()[dir] - 1)
-        {
-            return false;
-        }
-        lower[dir] = label(s);
-        part[dir] = s - lower[dir];
-    }
-
-    value = 0;
-    const label nCorners = 1 << block.nDims();
-    for (label corner = 0; corner < nCorners; ++corner)
-    {
-        labelVector ijk(lower);
-        scalar weight = 1;
-        for (direction dir = 0; dir < block.nDims(); ++dir)
-        {
-            const bool upper = corner & (1 << dir);
-            ijk[dir] += upper ? 1 : 0;
-            weight *= upper ? part[dir] : 1 - part[dir];
-        }
-        value += weight*values[block.index(ijk)];
-    }
-    return true;
-}
-
-} // End namespace fsi
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -110,6 +60,34 @@ Foam::autoPtr<Foam::fsi::levelSetUpdate> Foam::fsi::levelSetUpdate::New
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
+Foam::scalar Foam::fsi::levelSetUpdate::centreBubble(const point& p) const
+{
+    // The cell, and the largest distance from its centre in a direction
+    const cartesianBlock centres(grid_.cells(1));
+    const scalar h = grid_.spacing();
+    labelVector ijk(labelVector::zero);
+    point centre(p);
+    scalar off = 0;
+    for (direction d = 0; d < grid_.nDims(); ++d)
+    {
+        const label i = std::floor((p[d] - centres.origin()[d])/h + 0.5);
+        ijk[d] = i - centres.start()[d];
+        centre[d] = centres.latticePosition(i, d);
+        off = max(off, mag(p[d] - centre[d])/h);
+    }
+    scalar mean = 0;
+    if
+    (
+        !centres.contains(ijk)
+     || !interpolateLinear(grid_.corners(), cornerDistance_, centre, mean)
+    )
+    {
+        return 0;
+    }
+    return max(1 - 2*off, 0.0)*(cellDistance_[centres.index(ijk)] - mean);
+}
+
+
 void Foam::fsi::levelSetUpdate::setNearest(const surfaceSet& surfaces)
 {
     centreSamples_.update(surfaces, grid_.cells(1));
@@ -139,14 +117,14 @@ Foam::scalar Foam::fsi::levelSetUpdate::misfit
     const surfaceSet& surfaces
 ) const
 {
-    const cartesianBlock block(grid_.corners());
+    const cartesianBlock corners(grid_.corners());
     scalar largest = 0;
     scalar value = 0;
     for (const point& p : surfaces.points())
     {
-        if (interpolate(block, cornerDistance_, p, value))
+        if (interpolateLinear(corners, cornerDistance_, p, value))
         {
-            largest = max(largest, mag(value));
+            largest = max(largest, mag(value + centreBubble(p)));
         }
     }
     return returnReduce(largest, maxOp<scalar>())/grid_.spacing();

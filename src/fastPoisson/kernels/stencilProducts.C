@@ -90,6 +90,28 @@ FSI_INLINE double allDots
 }
 
 
+template<class Type>
+FSI_INLINE void allDirections
+(
+    const stencil<double>& A,
+    const double factor,
+    const Type* __restrict__ z,
+    const double beta,
+    double* __restrict__ p
+)
+{
+    for (int r = 0; r < A.ny*A.nz; ++r)
+    {
+        const int row = A.row(r);
+        #pragma omp simd
+        for (int i = row; i < row + A.nx; ++i)
+        {
+            p[i] = factor*z[i] + beta*p[i];
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 FSI_VECTOR_CLONES
@@ -121,20 +143,26 @@ void updateDirection
 (
     const stencil<double>& A,
     const double factor,
-    const float* __restrict__ z,
+    const float* z,
     const double beta,
-    double* __restrict__ p
+    double* p
 )
 {
-    for (int r = 0; r < A.ny*A.nz; ++r)
-    {
-        const int row = A.row(r);
-        #pragma omp simd
-        for (int i = row; i < row + A.nx; ++i)
-        {
-            p[i] = factor*z[i] + beta*p[i];
-        }
-    }
+    allDirections(A, factor, z, beta, p);
+}
+
+
+FSI_VECTOR_CLONES
+void updateDirection
+(
+    const stencil<double>& A,
+    const double factor,
+    const double* z,
+    const double beta,
+    double* p
+)
+{
+    allDirections(A, factor, z, beta, p);
 }
 
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The first tutorial to some time: surfaces never overlap, no object is lost,
-areas stay, and the level set fits the surfaces.
+areas stay, the level set fits the surfaces, and the flow stays in its plane and
+below twice the lid's speed.
 
     tutorial.py FOLDER END
 """
@@ -40,6 +41,19 @@ def check_surfaces(report, case):
                      n == len(results.times(case)), f"{n} times checked")
 
 
+def check_flow(report, case):
+    """The largest components of the velocity, over all written times."""
+    largest = [0, 0, 0]
+    for time in results.times(case)[1:]:
+        flat = results.numbers(results.read(case, time, "U"), "internalField")
+        largest = [max(largest[i], *map(abs, flat[i::3])) for i in range(3)]
+    print(f"    largest velocities {largest}")
+    report.check("the flow stays in its plane", largest[2] < 1e-12,
+                 f"{largest}")
+    report.check("no cell is faster than the flow", max(largest) < 2,
+                 f"{largest}")
+
+
 def check_steps(report, case, end):
     """What global.csv says of every step."""
     rows = results.table(case, "global.csv")
@@ -62,6 +76,7 @@ def main(folder, end):
     case = report.attempt("tutorial runs", solve, folder, end)
     if case:
         check_surfaces(report, case)
+        check_flow(report, case)
         check_steps(report, case, end)
 
 
