@@ -46,9 +46,9 @@ void Foam::fsi::laneResponse::factorBlock
 )
 {
     laneCholesky& block = factors_[blocki];
-    block.reset(boundary(), 1/deltaT_);
-    const label first = blocki*laneCholesky::lanes;
-    const label last = min(first + laneCholesky::lanes, group_.size());
+    block.reset(boundary(), 1/deltaT_, lanes());
+    const label first = blocki*lanes();
+    const label last = min(first + lanes(), group_.size());
     for (label copyi = first; copyi < last; ++copyi)
     {
         for (const copyLink& link : links[copyi])
@@ -85,7 +85,7 @@ void Foam::fsi::laneResponse::makeMatrices(const copyLinks& links)
     makeModes();
     factors_.resize
     (
-        (group_.size() + laneCholesky::lanes - 1)/laneCholesky::lanes
+        (group_.size() + lanes() - 1)/lanes()
     );
     for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
     {
@@ -100,7 +100,7 @@ void Foam::fsi::laneResponse::solveMatrices
     Eigen::MatrixXd& x
 ) const
 {
-    constexpr label lanes = laneCholesky::lanes;
+    const label lanes = this->lanes();
     const label nDims = group_.shape().nDims();
     const labelList& rowOf = boundary().rowOf();
     const label n = b.rows();

@@ -35,6 +35,12 @@ static void boundaryRows
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::fsi::population::free(const label objecti) const
+{
+    return groups_[objectGroup_[objecti]].free();
+}
+
+
 void Foam::fsi::population::zeroGroups
 (
     List<Eigen::MatrixXd>& groupNodal

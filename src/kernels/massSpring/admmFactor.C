@@ -59,6 +59,37 @@ void Foam::fsi::admmFactor::store(const Eigen::SparseMatrix<double>& lower)
 }
 
 
+Eigen::SparseMatrix<double> Foam::fsi::admmFactor::withoutTiny
+(
+    const Eigen::MatrixXd& a
+) const
+{
+    std::vector<Eigen::Triplet<double>> kept;
+    for (label j = 0; j < a.cols(); ++j)
+    {
+        for (label i = 0; i < a.rows(); ++i)
+        {
+            if (sqr(a(i, j)) > sqr(tiny)*a(i, i)*a(j, j))
+            {
+                kept.emplace_back(i, j, a(i, j));
+            }
+        }
+        // Neighbours stay, however weak the spring between them is
+        typedef Eigen::SparseMatrix<double>::InnerIterator iterator;
+        for (iterator it(matrix_, j); it; ++it)
+        {
+            if (it.row() < a.rows())
+            {
+                kept.emplace_back(it.row(), j, 0);
+            }
+        }
+    }
+    Eigen::SparseMatrix<double> result(a.rows(), a.cols());
+    result.setFromTriplets(kept.begin(), kept.end());
+    return result;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::admmFactor::admmFactor
@@ -148,10 +179,9 @@ Foam::fsi::admmFactor::boundaryFactor() const
     if (!boundaryFactor_)
     {
         const Eigen::MatrixXd inverse(boundaryInverse().inverse());
-        const Eigen::MatrixXd schur(0.5*(inverse + inverse.transpose()));
         boundaryFactor_ = std::make_unique<admmFactor>
         (
-            Eigen::SparseMatrix<double>(schur.sparseView(0, 0)),
+            withoutTiny(0.5*(inverse + inverse.transpose())),
             nBoundary_,
             deltaT_
         );

@@ -6,6 +6,30 @@
 
 #include <algorithm>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Call an action with the number of lanes as a constant
+template<class Action>
+static auto withLanes(const int lanes, const Action& action)
+{
+    switch (lanes)
+    {
+        case 1: return action(std::integral_constant<int, 1>());
+        case 2: return action(std::integral_constant<int, 2>());
+        case 4: return action(std::integral_constant<int, 4>());
+        default: return action(std::integral_constant<int, 8>());
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::label Foam::fsi::laneCholesky::find
@@ -68,24 +92,12 @@ void Foam::fsi::laneCholesky::setPattern(const admmFactor& pattern)
             columnEntry_[next[rows[e]]++] = e;
         }
     }
-    entries_.setSize(lanes*rows.size());
-    diagonal_.setSize(lanes*n);
-    column_.setSize(lanes*n);
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::laneCholesky::reset
-(
-    const admmFactor& pattern,
-    const scalar scale
-)
+template<int lanes>
+void Foam::fsi::laneCholesky::resetLanes(const scalar scale)
 {
-    if (pattern_ != &pattern)
-    {
-        setPattern(pattern);
-    }
     forAll(matrixEntries_, e)
     {
         at<lanes>(entries_, e) = scale*matrixEntries_[e];
@@ -97,28 +109,8 @@ void Foam::fsi::laneCholesky::reset
 }
 
 
-void Foam::fsi::laneCholesky::add
-(
-    const int lane,
-    const label nodeA,
-    const label nodeB,
-    const scalar value
-)
-{
-    const label a = pattern_->rowOf()[nodeA];
-    const label b = pattern_->rowOf()[nodeB];
-    if (a == b)
-    {
-        diagonal_[lanes*a + lane] += value;
-    }
-    else
-    {
-        entries_[lanes*find(max(a, b), min(a, b)) + lane] += value;
-    }
-}
-
-
-bool Foam::fsi::laneCholesky::factor()
+template<int lanes>
+bool Foam::fsi::laneCholesky::factorLanes()
 {
     typedef laneArray<lanes> values;
     const labelList& start = pattern_->columnStart();
@@ -160,7 +152,8 @@ bool Foam::fsi::laneCholesky::factor()
 }
 
 
-void Foam::fsi::laneCholesky::solve
+template<int lanes>
+void Foam::fsi::laneCholesky::solveLanes
 (
     scalar* rows,
     const label nComponents
@@ -196,6 +189,72 @@ void Foam::fsi::laneCholesky::solve
             value(j, cmpt) = at<lanes>(diagonal_, j)*x;
         }
     }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::laneCholesky::reset
+(
+    const admmFactor& pattern,
+    const scalar scale,
+    const int lanes
+)
+{
+    if (pattern_ != &pattern)
+    {
+        setPattern(pattern);
+    }
+    lanes_ = lanes;
+    entries_.setSize(lanes*matrixEntries_.size());
+    diagonal_.setSize(lanes*matrixDiagonal_.size());
+    column_.setSize(lanes*matrixDiagonal_.size());
+    withLanes(lanes, [&](auto n) { resetLanes<decltype(n)::value>(scale); });
+}
+
+
+void Foam::fsi::laneCholesky::add
+(
+    const int lane,
+    const label nodeA,
+    const label nodeB,
+    const scalar value
+)
+{
+    const label a = pattern_->rowOf()[nodeA];
+    const label b = pattern_->rowOf()[nodeB];
+    if (a == b)
+    {
+        diagonal_[lanes_*a + lane] += value;
+    }
+    else
+    {
+        entries_[lanes_*find(max(a, b), min(a, b)) + lane] += value;
+    }
+}
+
+
+bool Foam::fsi::laneCholesky::factor()
+{
+    return withLanes
+    (
+        lanes_,
+        [&](auto n) { return factorLanes<decltype(n)::value>(); }
+    );
+}
+
+
+void Foam::fsi::laneCholesky::solve
+(
+    scalar* rows,
+    const label nComponents
+) const
+{
+    withLanes
+    (
+        lanes_,
+        [&](auto n) { solveLanes<decltype(n)::value>(rows, nComponents); }
+    );
 }
 
 

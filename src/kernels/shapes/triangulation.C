@@ -8,7 +8,10 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/Handle_hash_function.h>
 #include <CGAL/Polygon_2.h>
+#include <unordered_set>
+#include <vector>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -83,6 +86,36 @@ static point circumcentre(const point& a, const point& b, const point& c)
 }
 
 
+typedef std::unordered_set<delaunay::Face_handle, CGAL::Handle_hash_function>
+    faceSet;
+
+
+//- Faces that are reached from infinity without crossing a constraint
+static faceSet facesOutside(const delaunay& triangles)
+{
+    faceSet outside({triangles.infinite_face()});
+    std::vector<delaunay::Face_handle> front({triangles.infinite_face()});
+    while (!front.empty())
+    {
+        const delaunay::Face_handle face = front.back();
+        front.pop_back();
+        for (int i = 0; i < 3; ++i)
+        {
+            const delaunay::Face_handle across = face->neighbor(i);
+            if
+            (
+                !face->is_constrained(i)
+             && outside.insert(across).second
+            )
+            {
+                front.push_back(across);
+            }
+        }
+    }
+    return outside;
+}
+
+
 //- Move the inner nodes to the average circumcentre of their triangles;
 //  the centroid takes its place in a triangle that does not contain it
 static void smooth(shapeMesh& mesh)
@@ -150,15 +183,22 @@ Foam::List<Foam::fsi::bodyElement> Foam::fsi::triangulation::triangulate
     const pointField& polygon
 )
 {
+    // Each search begins at the last place: neighbours follow each other
     delaunay triangles;
     std::vector<delaunay::Vertex_handle> vertices;
+    delaunay::Face_handle last;
     forAll(points, i)
     {
         vertices.push_back
         (
-            triangles.insert(kernel::Point_2(points[i].x(), points[i].y()))
+            triangles.insert
+            (
+                kernel::Point_2(points[i].x(), points[i].y()),
+                last
+            )
         );
         vertices.back()->info() = i;
+        last = vertices.back()->face();
     }
     forAll(polygon, i)
     {
@@ -169,18 +209,17 @@ Foam::List<Foam::fsi::bodyElement> Foam::fsi::triangulation::triangulate
         );
     }
 
+    const faceSet outside(facesOutside(triangles));
     DynamicList<bodyElement> elements;
     for (auto face : triangles.finite_face_handles())
     {
-        bodyElement element(-1);
-        point middle(Zero);
-        for (label i = 0; i < 3; ++i)
+        if (!outside.count(face))
         {
-            element[i] = face->vertex(i)->info();
-            middle += points[element[i]]/3;
-        }
-        if (outlineTools::contains(polygon, middle))
-        {
+            bodyElement element(-1);
+            for (label i = 0; i < 3; ++i)
+            {
+                element[i] = face->vertex(i)->info();
+            }
             elements.append(element);
         }
     }
