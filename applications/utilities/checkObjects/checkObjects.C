@@ -7,6 +7,10 @@ Description
     Checks the objects of a case at its written times: surfaces that overlap or
     cross themselves, areas, objects lost, double or outside the domain; see
     Foam::fsi::populationCheck. Overlap is decided with exact predicates.
+    Objects that are fed or leave may lie beyond an open side, and those that
+    left are not lost. From global.csv it checks the numbers of objects and
+    their areas in every step; on demand the speed of objects and fluid, and
+    the time step; see Foam::fsi::historyCheck.
 
     Prints a line per time, more where something is wrong, and at the end
     "Objects are sound" or "Objects are not sound" with the number of faults.
@@ -26,49 +30,103 @@ Usage
         Largest |A/A0 - 1| of an object, A0 the area of its shape; 0.001 if
         it is not given
 
+      - \par -maxSpeed \<speed\>
+        Largest speed of a node of an object in any step, and of the fluid at
+        the written times [m/s]
+
+      - \par -minStep \<fraction\>
+        Smallest time step over the median of all
+
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
-#include "fvMesh.H"
+#include "historyCheck.H"
+#include "openBoundaries.H"
 #include "populationCheck.H"
-#include "Time.H"
+#include "stepHistory.H"
 #include "timeSelector.H"
+#include "volFields.H"
 
 using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Check the fluid's speed at the current time, if there is a velocity field;
+//  the number of faults
+static label checkFluid(const fvMesh& mesh, const scalar maxSpeed)
+{
+    IOobject io("U", mesh.time().timeName(), mesh, IOobject::MUST_READ);
+    if (!io.typeHeaderOk<volVectorField>())
+    {
+        return 0;
+    }
+    const scalar speed = max(mag(volVectorField(io, mesh).primitiveField()));
+    const bool tooFast = !(speed <= maxSpeed);
+    Info<< "    " << (tooFast ? "Fluid is too fast: " : "fluid's speed ")
+        << speed << nl;
+    return tooFast;
+}
+
+
+//- The options of this application
+static void addOptions()
+{
+    argList::addNote("Check the objects of a case at its written times");
+    argList::noParallel();
+    timeSelector::addOptions(false);
+    argList::addOption
+    (
+        "areaTolerance", "change", "Largest change of an area (0.001)"
+    );
+    argList::addOption
+    (
+        "maxSpeed", "speed", "Largest speed of objects and fluid (any)"
+    );
+    argList::addOption
+    (
+        "minStep", "fraction", "Smallest time step over the median (any)"
+    );
+}
+
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
 int main(int argc, char *argv[])
 {
-    argList::addNote("Check the objects of a case at its written times");
-    argList::noParallel();
-    timeSelector::addOptions(false);
+    addOptions();
     #include "addRegionOption.H"
-    argList::addOption
-    (
-        "areaTolerance", "change", "Largest change of an area (0.001)"
-    );
-
     #include "setRootCase.H"
     #include "createTime.H"
     const instantList times = timeSelector::select0(runTime, args);
     #include "createNamedMesh.H"
 
-    const fsi::populationCheck checks
-    (
-        mesh,
-        args.opt<scalar>("areaTolerance", 1e-3)
-    );
+    fsi::historyCheck limits;
+    limits.areaTolerance = args.opt<scalar>("areaTolerance", 1e-3);
+    limits.maxSpeed = args.opt<scalar>("maxSpeed", 0);
+    limits.minStep = args.opt<scalar>("minStep", 0);
+    const fsi::populationCheck checks(mesh, limits.areaTolerance);
 
-    label nFaults = 0;
+    label nFaults = limits.check
+    (
+        fsi::stepHistory
+        (
+            runTime.globalPath()/"postProcessing"/fsi::population::folder
+        ),
+        Info
+    );
     forAll(times, timei)
     {
         runTime.setTime(times[timei], timei);
         const fsi::population objects(runTime);
-        const auto found = checks.check(objects);
+        const auto found =
+            checks.check(objects, fsi::openBoundaries::nRemoved(runTime));
         nFaults += found.nFaults();
         Info<< "Time = " << runTime.timeName() << ": ";
         found.write(Info);
+        if (limits.maxSpeed > 0)
+        {
+            nFaults += checkFluid(mesh, limits.maxSpeed);
+        }
     }
 
     if (times.empty())

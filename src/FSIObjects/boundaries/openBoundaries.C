@@ -7,9 +7,8 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::openBoundaries::read()
+Foam::dictionary Foam::fsi::openBoundaries::state(const Time& time)
 {
-    const Time& time = grid_.mesh().time();
     IOobject io
     (
         "fsiBoundaries", time.timeName(), "uniform", time,
@@ -17,11 +16,21 @@ void Foam::fsi::openBoundaries::read()
     );
     if (!io.typeHeaderOk<localIOdictionary>(false))
     {
-        return;
+        return dictionary();
     }
-
     const localIOdictionary dict(io);
     checkKeys(dict, {"FoamFile", "removed", "feed"});
+    return dict;
+}
+
+
+void Foam::fsi::openBoundaries::read()
+{
+    const dictionary dict(state(grid_.mesh().time()));
+    if (dict.empty())
+    {
+        return;
+    }
     removed_ = dict.get<labelList>("removed");
     const dictionary& feeds = dict.subOrEmptyDict("feed");
     for (objectFeed& feed : feeds_)
@@ -125,6 +134,14 @@ Foam::fsi::openBoundaries::openBoundaries
         feeds_.append(new objectFeed(grid, sides, objects, e.dict()));
     }
     read();
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::label Foam::fsi::openBoundaries::nRemoved(const Time& time)
+{
+    return sum(state(time).lookupOrDefault("removed", labelList()));
 }
 
 

@@ -3,6 +3,33 @@
 #include "fsiObjects.H"
 #include "objectContact.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Largest speed of a node of a group [m/s]
+static scalar maxSpeed(const bodyGroup& group, const direction nDims)
+{
+    const Eigen::MatrixXd& v = group.velocities();
+    scalar largest = 0;
+    for (label copyi = 0; copyi < group.size(); ++copyi)
+    {
+        largest = max
+        (
+            largest,
+            v.middleCols(nDims*copyi, nDims).rowwise().squaredNorm().maxCoeff()
+        );
+    }
+    return sqrt(largest);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::fsiObjects::report()
@@ -19,6 +46,8 @@ void Foam::fsi::fsiObjects::report()
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
+        record.maxSpeed =
+            max(record.maxSpeed, maxSpeed(group, objects.nDims()));
         record.kineticEnergy += group.kineticEnergy();
         record.elasticEnergy += group.elasticEnergy();
         for (label copyi = 0; copyi < group.size(); ++copyi)

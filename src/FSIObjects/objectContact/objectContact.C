@@ -6,13 +6,21 @@
 
 Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
 {
-    // Without shapes nothing touches, and any value will do
-    scalar least = objects.groups().empty() ? 1 : GREAT;
-    forAll(objects.groups(), groupi)
+    scalar least = GREAT, leastFree = GREAT;
+    for (const bodyGroup& group : objects.groups())
     {
-        least = min(least, objects.shape(groupi).youngsModulus());
+        least = min(least, group.shape().youngsModulus());
+        if (group.free())
+        {
+            leastFree = min(leastFree, group.shape().youngsModulus());
+        }
     }
-    return least;
+    if (leastFree < GREAT)
+    {
+        return leastFree;
+    }
+    // Without shapes nothing touches, and any value will do
+    return objects.groups().empty() ? 1 : least;
 }
 
 

@@ -12,7 +12,8 @@ Foam::wordList Foam::fsi::stepRecord::columns()
         "time", "deltaT", "objects", "contacts", "smallestGap",
         "kineticEnergy", "elasticEnergy", "contactEnergy", "areaChange",
         "misfit", "rebuilds", "fluidSeconds", "levelSetSeconds",
-        "solidsSeconds", "contactSeconds", "couplingSeconds", "removed", "fed"
+        "solidsSeconds", "contactSeconds", "couplingSeconds", "removed", "fed",
+        "maxSpeed"
     });
 }
 
@@ -27,7 +28,7 @@ void Foam::fsi::stepRecord::write(csvTable& table) const
     {
         row << s;
     }
-    row << removed << fed;
+    row << removed << fed << maxSpeed;
 }
 
 
@@ -43,7 +44,8 @@ void Foam::fsi::stepRecord::log(Ostream& os, const stepTimer& timer) const
     {
         os  << ", smallest gap " << smallestGap;
     }
-    os  << ", kinetic energy " << kineticEnergy
+    os  << ", largest speed " << maxSpeed
+        << ", kinetic energy " << kineticEnergy
         << ", elastic energy " << elasticEnergy
         << ", contact energy " << contactEnergy
         << ", area change " << areaChange

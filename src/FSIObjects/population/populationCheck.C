@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "populationCheck.H"
+#include "globalMeshData.H"
 #include "outline.H"
 #include "polygonPredicates.H"
 
@@ -79,7 +80,7 @@ Foam::label Foam::fsi::populationCheck::result::nFaults() const
     return
         overlapping.size() + crossing.size() + notFinite.size()
       + outside.size() + twice.size() + areaOff.size()
-      + (mayLeave ? 0 : missing.size());
+      + mag(nLost());
 }
 
 
@@ -89,7 +90,7 @@ void Foam::fsi::populationCheck::result::write(Ostream& os) const
         << overlapping.size() << " overlaps, "
         << crossing.size() << " crossing themselves, "
         << outside.size() << " outside, "
-        << missing.size() << (mayLeave ? " left, " : " lost, ")
+        << left << " left, " << nLost() << " lost, "
         << twice.size() << " double, area change " << areaChange << nl;
 
     writeFault(os, "Objects overlap", overlapping);
@@ -98,9 +99,11 @@ void Foam::fsi::populationCheck::result::write(Ostream& os) const
     writeFault(os, "Objects are outside the domain", outside);
     writeFault(os, "Ids are there twice", twice);
     writeFault(os, "Areas are off", areaOff);
-    if (!mayLeave)
+    if (nLost() != 0)
     {
-        writeFault(os, "Objects are lost", missing);
+        os  << "    Objects are lost: " << left << " left, missing are "
+            << missing.size() << nl;
+        writeFault(os, "Missing objects", missing);
     }
 }
 
@@ -114,6 +117,14 @@ Foam::fsi::populationCheck::populationCheck
 )
 :
     sides_(mesh),
+    spacing_
+    (
+        sqrt
+        (
+            sides_.bounds().span().x()*sides_.bounds().span().y()
+           /mesh.globalData().nTotalCells()
+        )
+    ),
     areaTolerance_(areaTolerance)
 {}
 
@@ -172,15 +183,20 @@ void Foam::fsi::populationCheck::checkAreas
 bool Foam::fsi::populationCheck::isOutside(const boundBox& box) const
 {
     const boundBox& domain = sides_.bounds();
-    for (direction d = 0; d < 2; ++d)
+    for (label sidei = 0; sidei < 4; ++sidei)
     {
-        const scalar below = domain.min()[d], above = domain.max()[d];
+        const direction d = sidei/2;
+        const bool beyondWall =
+            sidei % 2
+          ? box.max()[d] > domain.max()[d]
+          : box.min()[d] < domain.min()[d];
         if
         (
-            (sides_(d, false) == domainSides::WALL && box.min()[d] < below)
-         || (sides_(d, true) == domainSides::WALL && box.max()[d] > above)
-         || (sides_(d, false) == domainSides::OPEN && box.max()[d] < below)
-         || (sides_(d, true) == domainSides::OPEN && box.min()[d] > above)
+            (sides_[sidei] == domainSides::WALL && beyondWall)
+         || (
+                sides_[sidei] == domainSides::OPEN
+             && sides_.beyond(sidei, box) > 3*spacing_
+            )
         )
         {
             return true;
@@ -232,7 +248,11 @@ void Foam::fsi::populationCheck::checkOutlines
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::fsi::populationCheck::result
-Foam::fsi::populationCheck::check(const population& objects) const
+Foam::fsi::populationCheck::check
+(
+    const population& objects,
+    const label nLeft
+) const
 {
     if (objects.nDims() != 2)
     {
@@ -242,7 +262,7 @@ Foam::fsi::populationCheck::check(const population& objects) const
     }
     result found;
     found.objects = objects.size();
-    found.mayLeave = sides_.anyOpen();
+    found.left = nLeft;
     checkIds(objects, found);
     checkAreas(objects, found);
     checkOutlines(objects, found);

@@ -8,10 +8,7 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/Handle_hash_function.h>
-#include <CGAL/Polygon_2.h>
-#include <unordered_set>
-#include <vector>
+#include <CGAL/Unique_hash_map.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -30,6 +27,35 @@ typedef CGAL::Constrained_Delaunay_triangulation_2
     kernel,
     CGAL::Triangulation_data_structure_2<vertexBase, faceBase>
 > delaunay;
+
+typedef CGAL::Unique_hash_map<delaunay::Face_handle, bool> faceMarks;
+
+
+//- Triangles that are reached from infinity without crossing a side. Their
+//  centres do not tell: nodes of a straight side are in line up to rounding,
+//  and may have a triangle of no area outside
+static faceMarks facesOutside(const delaunay& triangles)
+{
+    faceMarks outside(false);
+    std::vector<delaunay::Face_handle> front(1, triangles.infinite_face());
+    outside[front[0]] = true;
+    while (!front.empty())
+    {
+        const delaunay::Face_handle face = front.back();
+        front.pop_back();
+        for (int i = 0; i < 3; ++i)
+        {
+            const delaunay::Face_handle next = face->neighbor(i);
+            if (!face->is_constrained(i) && !outside[next])
+            {
+                outside[next] = true;
+                front.push_back(next);
+            }
+        }
+    }
+    return outside;
+}
+
 
 
 //- Points of a triangular lattice inside the polygon, at least `clearance`
@@ -83,36 +109,6 @@ static point circumcentre(const point& a, const point& b, const point& c)
         (u.x()*magSqr(v) - v.x()*magSqr(u))/twice,
         0
     );
-}
-
-
-typedef std::unordered_set<delaunay::Face_handle, CGAL::Handle_hash_function>
-    faceSet;
-
-
-//- Faces that are reached from infinity without crossing a constraint
-static faceSet facesOutside(const delaunay& triangles)
-{
-    faceSet outside({triangles.infinite_face()});
-    std::vector<delaunay::Face_handle> front({triangles.infinite_face()});
-    while (!front.empty())
-    {
-        const delaunay::Face_handle face = front.back();
-        front.pop_back();
-        for (int i = 0; i < 3; ++i)
-        {
-            const delaunay::Face_handle across = face->neighbor(i);
-            if
-            (
-                !face->is_constrained(i)
-             && outside.insert(across).second
-            )
-            {
-                front.push_back(across);
-            }
-        }
-    }
-    return outside;
 }
 
 
@@ -209,19 +205,20 @@ Foam::List<Foam::fsi::bodyElement> Foam::fsi::triangulation::triangulate
         );
     }
 
-    const faceSet outside(facesOutside(triangles));
+    const faceMarks outside(facesOutside(triangles));
     DynamicList<bodyElement> elements;
     for (auto face : triangles.finite_face_handles())
     {
-        if (!outside.count(face))
+        if (outside[face])
         {
-            bodyElement element(-1);
-            for (label i = 0; i < 3; ++i)
-            {
-                element[i] = face->vertex(i)->info();
-            }
-            elements.append(element);
+            continue;
         }
+        bodyElement element(-1);
+        for (label i = 0; i < 3; ++i)
+        {
+            element[i] = face->vertex(i)->info();
+        }
+        elements.append(element);
     }
     return List<bodyElement>(std::move(elements));
 }

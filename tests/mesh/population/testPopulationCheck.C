@@ -36,9 +36,14 @@ struct checkedBox
         objects->updateSurfaces();
     }
 
-    populationCheck::result check(const scalar tolerance = 1e-3)
+    populationCheck::result check
+    (
+        const scalar tolerance = 1e-3,
+        const label nLeft = 0
+    )
     {
-        return populationCheck(box.mesh(), tolerance).check(*objects);
+        return
+            populationCheck(box.mesh(), tolerance).check(*objects, nLeft);
     }
 };
 
@@ -68,9 +73,14 @@ TEST(populationCheck, overlapAndOutsideAreNamedById)
     EXPECT_EQ(found.missing, labelList({0}));
     EXPECT_EQ(found.nFaults(), 3);
 
+    // The missing one may have left, but only one
+    EXPECT_EQ(world.check(1e-3, 1).nFaults(), 2);
+    EXPECT_EQ(world.check(1e-3, 2).nFaults(), 3);
+
     OStringStream text;
     found.write(text);
     EXPECT_NE(text.str().find("1 overlaps"), std::string::npos);
+    EXPECT_NE(text.str().find("1 lost"), std::string::npos);
     EXPECT_NE(text.str().find("Objects overlap: (1 2)"), std::string::npos);
 }
 

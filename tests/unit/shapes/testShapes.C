@@ -240,6 +240,25 @@ TEST(triangulation, fillsTheOutlineWithGoodTriangles)
 }
 
 
+TEST(triangulation, straightSlantedSidesHaveNoFlatTriangles)
+{
+    // Nodes between corners are in line up to rounding, on either side of it
+    const fileName csv
+    (
+        fileOf("wedge.csv", "0.8,0\n2.2,0\n1.7,0.37\n1.4,0.37\n")
+    );
+    for (const scalar h : {0.06, 0.03, 0.02})
+    {
+        const string text("type polygon; file \"" + csv + "\";");
+        const shapeMesh mesh(shapeOf(text)->mesh(h));
+        const scalarField volumes(mesh.elementVolumes());
+        EXPECT_GT(min(volumes), 0.1*average(volumes)) << h;
+        EXPECT_NEAR(sum(volumes), 0.5*(1.4 + 0.3)*0.37, 1e-12);
+    }
+    rm(csv);
+}
+
+
 TEST(badShape, isRefusedWithFileAndKey)
 {
     expectError("type blob;", {"type", "blob", "circle", "polygon"});

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stepHistory.H"
+#include "error.H"
+#include "ListOps.H"
+#include "OSspecific.H"
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- The values between the commas of a line
+static DynamicList<string> split(const std::string& line)
+{
+    DynamicList<string> values;
+    std::istringstream is(line);
+    for (std::string value; std::getline(is, value, ',');)
+    {
+        values.append(value);
+    }
+    return values;
+}
+
+
+//- Names of the folders of the runs, in order of their start
+static wordList runs(const fileName& folder)
+{
+    DynamicList<word> names;
+    DynamicList<scalar> starts;
+    for (const fileName& name : readDir(folder, fileName::DIRECTORY))
+    {
+        if (isFile(folder/name/"global.csv"))
+        {
+            names.append(name);
+            starts.append(std::strtod(name.c_str(), nullptr));
+        }
+    }
+    return wordList(names, sortedOrder(starts));
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::stepHistory::stepHistory(const fileName& folder)
+:
+    folder_(folder)
+{
+    for (const word& run : runs(folder))
+    {
+        cut(std::strtod(run.c_str(), nullptr));
+        read(folder/run/"global.csv");
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::stepHistory::cut(const scalar time)
+{
+    if (columns_.empty())
+    {
+        return;
+    }
+    const UList<scalar>& times = columns_["time"];
+    label n = times.size();
+    while (n > 0 && times[n - 1] > time)
+    {
+        --n;
+    }
+    forAllIters(columns_, column)
+    {
+        column.val().resize(n);
+    }
+}
+
+
+void Foam::fsi::stepHistory::read(const fileName& file)
+{
+    std::ifstream is(file);
+    std::string line;
+    std::getline(is, line);
+    const DynamicList<string> names(split(line));
+    while (std::getline(is, line))
+    {
+        const DynamicList<string> values(split(line));
+        if (values.size() != names.size())
+        {
+            FatalErrorInFunction
+                << "A line of " << file << " has " << values.size()
+                << " values for " << names.size() << " columns: "
+                << line.c_str() << exit(FatalError);
+        }
+        forAll(values, i)
+        {
+            // As strtod, knows inf and nan
+            columns_(word(names[i])).append
+            (
+                std::strtod(values[i].c_str(), nullptr)
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::fsi::stepHistory::size() const
+{
+    return columns_.empty() ? 0 : columns_["time"].size();
+}
+
+
+Foam::scalarField Foam::fsi::stepHistory::column(const word& name) const
+{
+    const auto values = columns_.cfind(name);
+    if (!values.found() || values.val().size() != size())
+    {
+        FatalErrorInFunction
+            << "The files global.csv in " << folder_ << " have "
+            << (values.found() ? "not all a column " : "no column ") << name
+            << "; there are " << flatOutput(columns_.sortedToc())
+            << exit(FatalError);
+    }
+    return scalarField(values.val());
+}
+
+
+// ************************************************************************* //
