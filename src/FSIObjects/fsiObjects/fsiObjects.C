@@ -156,6 +156,32 @@ void Foam::fsi::fsiObjects::fillNewCells
 }
 
 
+void Foam::fsi::fsiObjects::checkMotion() const
+{
+    const scalar limit = system_.levelSet->bandWidth();
+    const surfaceSet& surfaces = system_.objects.surfaces();
+    forAll(surfaces.velocities(), nodei)
+    {
+        const scalar way =
+            cmptMax(cmptMag(surfaces.velocities()[nodei]))*system_.deltaT();
+        if (!(way <= limit))
+        {
+            const label objecti = surfaces.pointObject()[nodei];
+            FatalErrorInFunction
+                << "Object " << system_.objects.objectId(objecti)
+                << " moves " << way/system_.grid.spacing()
+                << " cells in one step, more than the band of the level set ("
+                << limit/system_.grid.spacing() << " cells) at time "
+                << mesh_.time().timeName() << nl
+                << "Objects moved so fast are not resolved: take a smaller "
+                << "deltaT or adjustTimeStep with maxCo, and with coupling weak "
+                << "heavier or stiffer objects (doc/theory.md, section 5.3)"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::fsiObjects::startStep
@@ -206,6 +232,7 @@ void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
             );
         }
         system_.updateSurfaces();
+        checkMotion();
     }
     {
         const stepTimer::section contact(timer_, stepTimer::part::contact);

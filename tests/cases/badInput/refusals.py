@@ -179,6 +179,17 @@ def check_control(report, case):
                 ("FATAL ERROR", "polyMesh", "cell", "uniform Cartesian"))
 
 
+def check_motion(report, folder):
+    """An object that moves further in a step than the level set reaches."""
+    changes = shapes({"type": "listed; velocity (50 0 0)"})
+    case = fsiCase.Case(os.path.join(folder, "fast"), cells=(32, 32),
+                        deltaT=0.01, endTime=0.01,
+                        properties="coupling { type none; }\n", **changes)
+    if report.attempt("set-up of a fast object", case.set_up):
+        refused(report, "object faster than the band", case, "fsiPisoFoam",
+                ("FATAL ERROR", "Object 0", "16 cells", "deltaT"))
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -196,6 +207,7 @@ def main(folder):
         check_seeding(report, case)
         check_properties(report, case)
         check_control(report, case)
+    check_motion(report, folder)
 
 
 if __name__ == "__main__":
