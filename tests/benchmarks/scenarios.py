@@ -46,10 +46,10 @@ FAST = """solvers
 PISO { nCorrectors 1; pRefCell 0; pRefValue 0; }
 """
 
-# Heavy, stiff objects, closed faces and the thesis's load for the weak coupling,
-# which is not stable with others (theory.md, section 5.3), and out of reach of
-# contact at the start; soft ones of the fluid's density for the default. Gaps in
-# cells
+# Heavy, stiff objects, closed faces and the thesis's load for the weak
+# coupling, which is not stable with others (theory.md, section 5.3), and out of
+# reach of contact at the start; soft ones of the fluid's density for the
+# default. Gaps in cells
 KINDS = {
     "default": {"density": 1000, "E": 2e3, "gap": 1.5, "properties": ""},
     "weak": {"density": 10000, "E": 1e9, "gap": 3.1,

@@ -224,7 +224,7 @@ void Foam::fsi::pressureLevels::update(const fvScalarMatrix& matrix)
     findNearest(nearest);
     setValues(nearest);
     sumFaces(matrix);
-    factor();
+    factor(gMax(mag(matrix.upper())()));
 }
 
 

@@ -180,7 +180,7 @@ void Foam::fsi::pressureLevels::sumCoupled(const fvScalarMatrix& matrix)
 }
 
 
-void Foam::fsi::pressureLevels::factor()
+void Foam::fsi::pressureLevels::factor(const scalar largest)
 {
     // Row, column and value of each sum
     List<scalarList> all(Pstream::nProcs());
@@ -198,21 +198,24 @@ void Foam::fsi::pressureLevels::factor()
 
     const label n = system_.objects.size();
     std::vector<Eigen::Triplet<scalar>> triplets;
-    scalar largest = 0;
+    scalarField diagonal(n, Zero);
     for (const scalarList& sums : all)
     {
         for (label i = 0; i < sums.size(); i += 3)
         {
             triplets.emplace_back(sums[i], sums[i + 1], sums[i + 2]);
-            largest = max(largest, mag(sums[i + 2]));
+            if (sums[i] == sums[i + 1])
+            {
+                diagonal[label(sums[i])] += sums[i + 2];
+            }
         }
     }
 
-    // The mean level of a closed domain is free, and fixed objects have no
-    // function: a little on the diagonal
+    // The mean level of a closed region is free. Its residual, which is nothing
+    // but rounding errors, must not be blown up
     for (label i = 0; i < n; ++i)
     {
-        triplets.emplace_back(i, i, largest > 0 ? 1e-9*largest : 1);
+        triplets.emplace_back(i, i, 1e-4*max(diagonal[i], largest));
     }
     Eigen::SparseMatrix<scalar> E(n, n);
     E.setFromTriplets(triplets.begin(), triplets.end());

@@ -174,8 +174,8 @@ void Foam::fsi::fsiObjects::checkMotion() const
                 << limit/system_.grid.spacing() << " cells) at time "
                 << mesh_.time().timeName() << nl
                 << "Objects moved so fast are not resolved: take a smaller "
-                << "deltaT or adjustTimeStep with maxCo, and with coupling weak "
-                << "heavier or stiffer objects (doc/theory.md, section 5.3)"
+                << "deltaT or adjustTimeStep with maxCo, and with coupling "
+                << "weak heavier or stiffer objects (doc/theory.md, 5.3)"
                 << exit(FatalError);
         }
     }

@@ -59,6 +59,38 @@ void Foam::fsi::admmFactor::store(const Eigen::SparseMatrix<double>& lower)
 }
 
 
+template<int width>
+void Foam::fsi::admmFactor::solveColumns
+(
+    Eigen::MatrixXd& b,
+    const label first,
+    const label nColumns
+) const
+{
+    const label n = size();
+    std::vector<scalar> rows(width*n, 0);
+    for (label k = 0; k < nColumns; ++k)
+    {
+        const double* column = b.col(first + k).data();
+        for (label i = 0; i < n; ++i)
+        {
+            rows[width*rowOf_[i] + k] = column[i];
+        }
+    }
+
+    solveRows<width>(rows.data());
+
+    for (label k = 0; k < nColumns; ++k)
+    {
+        double* column = b.col(first + k).data();
+        for (label i = 0; i < n; ++i)
+        {
+            column[i] = rows[width*rowOf_[i] + k];
+        }
+    }
+}
+
+
 Eigen::SparseMatrix<double> Foam::fsi::admmFactor::withoutTiny
 (
     const Eigen::MatrixXd& a
@@ -127,32 +159,21 @@ Foam::fsi::admmFactor::admmFactor
 
 void Foam::fsi::admmFactor::solve(Eigen::MatrixXd& b) const
 {
-    constexpr int width = 16;
-    const label n = size();
-    std::vector<scalar> rows(width*n, 0);
-
+    constexpr label width = 16;
     for (label first = 0; first < b.cols(); first += width)
     {
-        const label nColumns = min(label(width), label(b.cols()) - first);
-
-        for (label k = 0; k < nColumns; ++k)
+        const label nColumns = min(width, label(b.cols()) - first);
+        if (nColumns <= 2)
         {
-            const double* column = b.col(first + k).data();
-            for (label i = 0; i < n; ++i)
-            {
-                rows[width*rowOf_[i] + k] = column[i];
-            }
+            solveColumns<2>(b, first, nColumns);
         }
-
-        solveRows<width>(rows.data());
-
-        for (label k = 0; k < nColumns; ++k)
+        else if (nColumns <= 4)
         {
-            double* column = b.col(first + k).data();
-            for (label i = 0; i < n; ++i)
-            {
-                column[i] = rows[width*rowOf_[i] + k];
-            }
+            solveColumns<4>(b, first, nColumns);
+        }
+        else
+        {
+            solveColumns<width>(b, first, nColumns);
         }
     }
 }
@@ -168,8 +189,34 @@ const Eigen::MatrixXd& Foam::fsi::admmFactor::boundaryInverse() const
 
         const auto block = columns.topRows(nBoundary_);
         boundaryInverse_ = 0.5*(block + block.transpose());
+        sparseInverse_ = withoutTiny(boundaryInverse_);
     }
     return boundaryInverse_;
+}
+
+
+void Foam::fsi::admmFactor::solveBoundary
+(
+    const Eigen::MatrixXd& f,
+    Eigen::MatrixXd& v
+) const
+{
+    const Eigen::MatrixXd& inverse = boundaryInverse();
+    v.resize(inverse.rows(), f.cols());
+    if (4*sparseInverse_.nonZeros() < inverse.size())
+    {
+        v.noalias() = sparseInverse_*f;
+        return;
+    }
+
+    // Panels small enough for the product to work without the heap
+    const label width = 32;
+    for (label first = 0; first < f.cols(); first += width)
+    {
+        const label nColumns = min(width, label(f.cols()) - first);
+        v.middleCols(first, nColumns).noalias() =
+            inverse*f.middleCols(first, nColumns);
+    }
 }
 
 

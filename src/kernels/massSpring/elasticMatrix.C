@@ -29,18 +29,7 @@ void Foam::fsi::elasticMatrix::solveBoundary
     Eigen::MatrixXd& v
 ) const
 {
-    // Panels small enough for the product to work without the heap
-    const label width = 32;
-    const Eigen::MatrixXd& inverse = factor_->boundaryInverse();
-    const label n = f.cols();
-    v.resize(inverse.rows(), n);
-
-    for (label first = 0; first < n; first += width)
-    {
-        const label nColumns = min(width, n - first);
-        v.middleCols(first, nColumns).noalias() =
-            inverse*f.middleCols(first, nColumns);
-    }
+    factor_->solveBoundary(f, v);
 }
 
 

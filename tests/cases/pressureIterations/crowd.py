@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Iterations of the pressure equation with discs of the fluid's density on
+40 % of a driven cavity: at most 20 to 1e-6, soft and stiff, few discs and many,
+and on two ranks as many as on one.
+
+    crowd.py FOLDER
+"""
+
+import math
+import os
+import re
+import statistics
+import sys
+
+import fsiCase
+
+LIMIT = 20
+STEPS = 6
+
+# Number of discs, cells per side, modulus over density times speed squared
+CASES = ((1, 64, 0.2), (16, 128, 0.2), (16, 128, 2e3), (64, 192, 0.2))
+
+
+def crowd(path, discs, n, modulus):
+    """A case with discs packed at random, at least a cell apart."""
+    radius = math.sqrt(0.4/math.pi/discs)
+    step = 0.25/n
+    return fsiCase.Case(
+        path, cells=(n, n), density=1000, viscosity=0.01,
+        walls={"top": "(1 0 0)"},
+        shapes=f"disc {{ shape {{ type circle; radius {radius:.6g}; }} "
+               f"material {{ density 1000; E {1000*modulus}; }} }}",
+        placements=("discs { type listed; shape disc; objects "
+                    "( { centre (0.5 0.5 0); } ); }" if discs == 1 else
+                    f"discs {{ type packed; shape disc; number {discs}; "
+                    f"minimumGap {1/n}; wallGap {1/n}; sweeps 20; }}"),
+        deltaT=step, endTime=step*(STEPS + 0.5), timePrecision=10,
+        p_tolerance=1e-6)
+
+
+def iterations(log):
+    """Median over the steps after the first."""
+    found = re.findall(r"Solving for p, .*No Iterations (\d+)", log)
+    return statistics.median(int(n) for n in found[1:])
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    for discs, n, modulus in CASES:
+        name = f"{discs} discs, modulus {modulus:g}"
+        case = crowd(os.path.join(folder, f"{discs}-{modulus:g}"), discs, n,
+                     modulus)
+        log = (report.attempt(name, case.set_up)
+               and report.attempt(name, case.run, "fsiPisoFoam"))
+        if not log:
+            continue
+        count = iterations(log)
+        print(f"    {name}: {count} iterations")
+        report.check(name, count <= LIMIT, f"{count} iterations")
+        if (discs, modulus) == (16, 0.2):
+            check_ranks(report, case, count)
+
+
+def check_ranks(report, case, serial):
+    """The same on two ranks."""
+    case.file("system/decomposeParDict",
+              "numberOfSubdomains 2; method hierarchical;\n"
+              "hierarchicalCoeffs { n (2 1 1); delta 0.001; order xyz; }\n")
+    name = "iterations on two ranks"
+    log = (report.attempt(name, case.run, "decomposePar")
+           and report.attempt(
+               name, lambda: case.run("fsiPisoFoam", ranks=2)))
+    if log:
+        count = iterations(log)
+        print(f"    on two ranks: {count}")
+        report.check(name, count <= min(LIMIT, serial + 2),
+                     f"{count}, {serial} on one")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
