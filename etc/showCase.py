@@ -4,7 +4,8 @@ objects on it, all written times.
 
     cd CASE; paraview --script=.../etc/showCase.py
     pvpython etc/showCase.py CASE PICTURE.png [TIME]
-                    a picture of the written time nearest to TIME, or of the last
+
+The last makes a picture of the written time nearest to TIME, or of the last one.
 """
 
 import glob
