@@ -5,7 +5,7 @@ objects on it, all written times.
     cd CASE; paraview --script=.../etc/showCase.py
     pvpython etc/showCase.py CASE PICTURE.png [TIME]
 
-The last makes a picture of the written time nearest to TIME, or of the last one.
+The last line makes a picture of the written time nearest to TIME, or the last.
 """
 
 import glob
