@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opens a case in ParaView with everything in view: the fluid's speed, the
+objects on it, all written times.
+
+    cd CASE; paraview --script=.../etc/showCase.py
+    pvpython etc/showCase.py CASE PICTURE.png [TIME]
+
+The last line makes a picture of the written time nearest to TIME, or the last.
+"""
+
+import glob
+import os
+import sys
+
+from paraview import simple
+
+
+def fluid(case, view):
+    """The mesh, coloured by the magnitude of U."""
+    name = os.path.join(case, os.path.basename(os.path.abspath(case))
+                        + ".foam")
+    with open(name, "a", encoding="ascii"):
+        pass
+    reader = simple.OpenFOAMReader(FileName=name)
+    reader.UpdatePipeline()
+    shown = simple.Show(reader, view)
+    if "U" in reader.CellData.keys():
+        simple.ColorBy(shown, ("CELLS", "U", "Magnitude"))
+        shown.RescaleTransferFunctionToDataRange(True)
+        shown.SetScalarBarVisibility(view, True)
+    return reader
+
+
+def objects(case, view, front):
+    """The surfaces of all runs of the case, coloured by the object's id, in
+    front of the mesh, which ends there."""
+    for name in sorted(glob.glob(os.path.join(
+            case, "postProcessing/fsiObjects/*/surfaces.vtp.series"))):
+        reader = simple.OpenDataFile(name)
+        reader.UpdatePipeline()
+        shown = simple.Show(reader, view)
+        shown.Position = [0, 0, front]
+        simple.ColorBy(shown, ("CELLS", "object"))
+        simple.GetColorTransferFunction("object").ApplyPreset(
+            "Rainbow Desaturated", True)
+        shown.SetScalarBarVisibility(view, False)
+        shown.EdgeColor = [0, 0, 0]
+        shown.SetRepresentationType("Surface With Edges")
+
+
+def main(case, picture=None, time=None):
+    """Shows a case; writes a picture if there is a name for it."""
+    view = simple.GetActiveViewOrCreate("RenderView")
+    view.InteractionMode = "2D"
+    view.OrientationAxesVisibility = 0
+    reader = fluid(case, view)
+    objects(case, view, reader.GetDataInformation().GetBounds()[5])
+    scene = simple.GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    simple.ResetCamera(view)
+    if picture:
+        times = reader.TimestepValues
+        wanted = times[-1] if time is None else float(time)
+        scene.AnimationTime = min(times, key=lambda t: abs(t - wanted))
+        simple.SaveScreenshot(picture, view, ImageResolution=[1200, 900])
+    simple.Render(view)
+
+
+main(*(sys.argv[1:] or [os.getcwd()]))

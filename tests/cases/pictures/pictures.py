@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""etc/render makes pictures, a strip and animations of a short run, with as
+many pictures as were asked for.
+
+    pictures.py FOLDER
+"""
+
+import os
+import re
+import struct
+import subprocess
+import sys
+
+import fsiCase
+
+RENDER = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                      "../../../etc/render")
+# Two times are written
+END, TIMES = 0.02, 2
+SIZE = 200
+
+
+def render(case, *options):
+    """Runs etc/render; status and output."""
+    done = subprocess.run([RENDER, case, "-size", str(SIZE), *options],
+                          capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout + done.stderr
+
+
+def contents(*path):
+    """The bytes of a file, none if it is not there."""
+    try:
+        with open(os.path.join(*path), "rb") as stream:
+            return stream.read()
+    except FileNotFoundError:
+        return b""
+
+
+def png_size(data):
+    """Width and height of a PNG."""
+    if data[:8] != b"\x89PNG\r\n\x1a\n":
+        return (0, 0)
+    return struct.unpack(">II", data[16:24])
+
+
+def check_pictures(report, case):
+    """One PNG per time, and all of them side by side."""
+    status, text = render(case)
+    names = text.split()
+    sizes = [png_size(contents(name)) for name in names]
+    report.check("a picture of each time",
+                 status == 0 and len(sizes) == TIMES
+                 and all(min(size) > 0.9*SIZE for size in sizes), text)
+    strip = os.path.join(case, "strip.png")
+    render(case, "-strip", strip)
+    width = png_size(contents(strip))[0]
+    report.check("a strip is as wide as its pictures",
+                 width >= TIMES*0.9*SIZE, width)
+
+
+def check_animations(report, case):
+    """GIF and Ogg Theora hold the times that were asked for."""
+    status, text = render(case, "-times", f"{END/2},{END}", "-rate", "4",
+                          "-animate", os.path.join(case, "a.gif"))
+    gif = contents(case, "a.gif")
+    # The mark of a picture and its duration in hundredths of a second
+    frames = len(re.findall(rb"\x21\xf9\x04.\x19\x00", gif, re.S))
+    report.check("a GIF of two pictures, 4 per second",
+                 status == 0 and gif[:6] == b"GIF89a" and frames == 2,
+                 f"{frames} pictures, {len(gif)} bytes; {text}")
+    status, text = render(case, "-animate", os.path.join(case, "a.ogv"))
+    report.check("a film in Ogg Theora",
+                 status == 0 and contents(case, "a.ogv")[:4] == b"OggS", text)
+    status, text = render(case, "-animate", os.path.join(case, "a.xyz"))
+    report.check("another ending is refused",
+                 status != 0 and ".gif or .ogv" in text, text)
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    case = fsiCase.tutorial("01-twoDiscs", os.path.join(folder, "case"),
+                            endTime=END, writeInterval=END/2)
+    fsiCase.run(case, "fsiPisoFoam")
+    check_pictures(report, case)
+    check_animations(report, case)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
