@@ -199,6 +199,22 @@ void Foam::fsi::pressureLevels::setValues(const nearestObjects& nearest)
 }
 
 
+void Foam::fsi::pressureLevels::removeMean(scalarField& levels) const
+{
+    if (floating_)
+    {
+        const scalar mean = sum(levels)/nLevels_;
+        forAll(levels, objecti)
+        {
+            if (system_.objects.free(objecti))
+            {
+                levels[objecti] -= mean;
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::pressureLevels::pressureLevels(const fsiSystem& system)
@@ -246,8 +262,10 @@ void Foam::fsi::pressureLevels::correct
     }
     sumOverRanks(coarse_);
 
+    removeMean(coarse_);
     Eigen::Map<Eigen::VectorXd> coarse(coarse_.data(), coarse_.size());
     coarse = factor_.solve(coarse).eval();
+    removeMean(coarse_);
 
     forAll(values_, celli)
     {

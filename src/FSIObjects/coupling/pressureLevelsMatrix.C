@@ -199,20 +199,29 @@ void Foam::fsi::pressureLevels::factor(const scalar largest)
     const label n = system_.objects.size();
     std::vector<Eigen::Triplet<scalar>> triplets;
     scalarField diagonal(n, Zero);
+    scalar total = 0;
     for (const scalarList& sums : all)
     {
         for (label i = 0; i < sums.size(); i += 3)
         {
             triplets.emplace_back(sums[i], sums[i + 1], sums[i + 2]);
-            if (sums[i] == sums[i + 1])
+            const bool onDiagonal = sums[i] == sums[i + 1];
+            total += (onDiagonal ? 1 : 2)*sums[i + 2];
+            if (onDiagonal)
             {
                 diagonal[label(sums[i])] += sums[i + 2];
             }
         }
     }
 
-    // The mean level of a closed region is free. Its residual, which is nothing
-    // but rounding errors, must not be blown up
+    // Without a fixed pressure the mean level is free: its residual, which is
+    // nothing but rounding errors, must not be blown up
+    floating_ = total < 1e-6*sum(diagonal) + largest;
+    nLevels_ = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        nLevels_ += system_.objects.free(i);
+    }
     for (label i = 0; i < n; ++i)
     {
         triplets.emplace_back(i, i, 1e-4*max(diagonal[i], largest));
