@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Discs that settle: validation.md calls these cases 4a to 4d."""
+"""Discs that settle: validation.md calls these cases 4a to 4e."""
 
 import math
 
-from common import Case, Row, disc, placed
+from common import Case, Row, at, disc, placed
 
 
 def tank(name, cells, density, viscosity, centres, **controls):
@@ -14,15 +14,6 @@ def tank(name, cells, density, viscosity, centres, **controls):
         name, box=(0, 0, 2, 6), cells=(n, 3*n), viscosity=viscosity,
         gravity="(0 -981 0)", shapes=disc(0.125, f"density {density}; E 1e5;"),
         placements=placed("disc", *centres), **controls)
-
-
-def at(rows, key, value, wanted):
-    """"wanted" where "key" passes a value; rows in order."""
-    for a, b in zip(rows, rows[1:]):
-        if (a[key] - value)*(b[key] - value) <= 0 and a[key] != b[key]:
-            s = (value - a[key])/(b[key] - a[key])
-            return a[wanted] + s*(b[wanted] - a[wanted])
-    raise ValueError(f"{key} does not pass {value}")
 
 
 def slow():
@@ -76,7 +67,9 @@ def pair():
     for cells in (16, 32):
         case = tank(f"kissing-{cells}", cells, 1.5, 0.01,
                     [(0.999, 5), (1.001, 4.5)],
-                    properties="output { objectsEvery 2; }",
+                    # Contact begins at 3 % of d and 1.6 %
+                    properties="contact { range 0.5; } "
+                               "output { objectsEvery 2; }",
                     deltaT=6e-3/cells, endTime=0.2, writeInterval=0.02)
         minutes = case.solve()
         rows = case.objects()
@@ -101,13 +94,13 @@ def pair():
 
 
 def stokes():
-    """Disc in the middle of a channel, Re 0.02: Faxen's series (Wang and Liu
-    2004); half as wide as the channel is four times its radius."""
+    """Disc in the middle of a channel four diameters wide, Re 0.002: Faxen's
+    series (Wang and Liu 2004)."""
     k, radius, gravity = 0.25, 0.125, 1.0
     bracket = -math.log(k) - 0.9157 + 1.7244*k**2 - 1.7302*k**4
     viscosity = 0.05
     for cells in (8, 16, 32):
-        # Length of 8 widths, settling over a thousandth of the diameter
+        # Length of 8 widths, settling over 4 % of the diameter
         speed = 0.01*gravity*radius**2/(4*viscosity)*bracket
         n = cells*4
         case = Case(
@@ -124,5 +117,54 @@ def stokes():
                   ("Stokes disc", cells))
 
 
+def ring(case, inner, outer, height):
+    """Writes the outline of a ring about the origin, constant/ring.csv. It is
+    one loop: the ring has a slit at a height, a hundredth of a cell wide."""
+    half = 0.005*case.spacing()
+    n = 720
+    points = []
+    for radius, side in ((outer, 1), (inner, -1)):
+        # From the slit to its other side, and back inside
+        first = math.asin((height + side*half)/radius)
+        last = math.asin((height - side*half)/radius)
+        first, last = ((first, last + 2*math.pi) if side > 0
+                       else (first + 2*math.pi, last))
+        points += [(radius*math.cos(a), radius*math.sin(a))
+                   for a in (first + (last - first)*i/n for i in range(n + 1))]
+    case.text("constant/ring.csv",
+              "".join(f"{x!r},{y!r}\n" for x, y in points))
+
+
+def container():
+    """Drag of a disc in the middle of a round container, Stokes flow; exact:
+    4 pi mu U/(ln(R/a) - (R^2 - a^2)/(R^2 + a^2))."""
+    a, R, speed = 0.4, 1.0, 1e-3
+    exact = 4*math.pi/(math.log(R/a) - (R*R - a*a)/(R*R + a*a))
+    for cells in (8, 16, 32):
+        h = 2*a/cells
+        half = R + 4*h
+        n = round(2*half/h)
+        case = Case(
+            f"container-{cells}", box=(-half, -half, half, half), cells=(n, n),
+            viscosity=1, shapes=disc(
+                a, "density 1; E 1e3;",
+                f"motion {{ type translating; velocity ({speed} 0 0); }}")
+            + "ring { shape { type polygon; file \"constant/ring.csv\"; } "
+              "material { density 1; E 1e3; } motion { type fixed; } }",
+            placements="all { type listed; objects ("
+                       "{ shape disc; centre (0 0 0); } "
+                       "{ shape ring; centre (0 0 0); }); }",
+            properties="output { objectsEvery 1; }",
+            deltaT=0.08/cells, endTime=0.5, writeInterval=0.5)
+        ring(case, R, R + 3.5*h, 0.25*h)
+        minutes = case.solve()
+        force = [row["forceX"] for row in case.objects()
+                 if row["shape"] == "disc"][-1]
+        yield Row("disc in a round container, Stokes flow, drag over exact",
+                  f"d/h = {cells}", 1, -force/(h*speed*exact),
+                  0.02 if cells >= 16 else None, minutes,
+                  ("container", cells))
+
+
 CASES = {"settling1.25": slow, "settling1.5": fast, "kissing": pair,
-         "stokes": stokes}
+         "stokes": stokes, "container": container}

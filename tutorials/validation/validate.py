@@ -12,34 +12,47 @@ import time
 import cavity
 import cylinder
 import discs
+import migration
 import softDisc
 
 CASES = {name: function
-         for module in (cavity, cylinder, discs, softDisc)
+         for module in (cavity, cylinder, discs, migration, softDisc)
          for name, function in module.CASES.items()}
 
 
 def order(rows):
-    """Observed order of the error from the last two rows of a ladder."""
-    (a, n), (b, m) = ((row, row.ladder[1]) for row in rows[-2:])
-    errors = [abs(row.value - row.reference) for row in (a, b)]
-    if min(errors) == 0:
+    """Observed order from the last rows of a ladder: of the error, or of the
+    differences where there is no reference."""
+    if rows[-1].reference is None:
+        values = [row.value for row in rows[-3:]]
+        errors = [abs(a - b) for a, b in zip(values, values[1:])]
+    else:
+        errors = [abs(row.value - row.reference) for row in rows[-2:]]
+    if len(errors) < 2 or min(errors) == 0:
         return ""
+    n, m = (row.ladder[1] for row in rows[-2:])
     return f"{math.log(errors[0]/errors[1])/math.log(m/n):.1f}"
+
+
+def comparison(row):
+    """Columns "reference", "here" and "difference"."""
+    here = f"{row.value:.5g}"
+    if row.reference is None:
+        return f" | {here} | "
+    difference = row.value - row.reference
+    percent = (f" ({100*difference/row.reference:+.2f} %)"
+               if row.reference else "")
+    return f"{row.reference:.5g} | {here} | {difference:+.2g}{percent}"
 
 
 def line(row, rows):
     """A line of the table; rows: all up to this one."""
-    difference = row.value - row.reference
-    percent = (f" ({100*difference/row.reference:+.2f} %)"
-               if row.reference else "")
     ladder = [r for r in rows if r.ladder and row.ladder
               and r.ladder[0] == row.ladder[0]]
-    return (f"| {row.what} | {row.grid} | {row.reference:.5g} | "
-            f"{row.value:.5g} | {difference:+.2g}{percent} | "
+    return (f"| {row.what} | {row.grid} | {comparison(row)} | "
             + ("" if row.tolerance is None else
                f"{row.tolerance:.3g} {'ok' if row.passed else '**no**'}")
-            + f" | {order(ladder) if len(ladder) > 1 else ''} | "
+            + f" | {order(ladder) if ladder else ''} | "
             f"{row.minutes:.1f} |")
 
 
