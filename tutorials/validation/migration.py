@@ -76,7 +76,7 @@ def poiseuille():
             f"poiseuille-{cells}", cells, 0.4, viscosity=1/2334,
             properties="output { objectsEvery 10; } drivingForce "
                        "{ type acceleration; acceleration (2.337e-4 0 0); }",
-            deltaT=0.4/cells, endTime=750, writeInterval=750)
+            deltaT=1.6/cells, endTime=750, writeInterval=750)
         minutes = case.solve()
         rows = travelled(case.objects())
         tolerance = 0.008 if cells >= 16 else None
