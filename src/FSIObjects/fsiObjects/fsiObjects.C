@@ -158,7 +158,8 @@ void Foam::fsi::fsiObjects::fillNewCells
 
 void Foam::fsi::fsiObjects::checkMotion() const
 {
-    const scalar limit = system_.levelSet->bandWidth();
+    const vector span(system_.grid.bounds().span());
+    const scalar limit = 0.5*min(span.x(), span.y());
     const surfaceSet& surfaces = system_.objects.surfaces();
     forAll(surfaces.velocities(), nodei)
     {
@@ -170,12 +171,11 @@ void Foam::fsi::fsiObjects::checkMotion() const
             FatalErrorInFunction
                 << "Object " << system_.objects.objectId(objecti)
                 << " moves " << way/system_.grid.spacing()
-                << " cells in one step, more than the band of the level set ("
-                << limit/system_.grid.spacing() << " cells) at time "
+                << " cells in one step, more than half of the domain, at time "
                 << mesh_.time().timeName() << nl
-                << "Objects moved so fast are not resolved: take a smaller "
-                << "deltaT or adjustTimeStep with maxCo, and with coupling "
-                << "weak heavier or stiffer objects (doc/theory.md, 5.3)"
+                << "The run has lost its stability: take a smaller deltaT or "
+                << "adjustTimeStep with maxCo, and with coupling weak heavier "
+                << "or stiffer objects (doc/theory.md, section 5.3)"
                 << exit(FatalError);
         }
     }
