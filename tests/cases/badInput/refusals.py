@@ -187,7 +187,8 @@ def check_motion(report, folder):
                         properties="coupling { type none; }\n", **changes)
     if report.attempt("set-up of a fast object", case.set_up):
         refused(report, "object through the domain in a step", case,
-                "fsiPisoFoam", ("FATAL ERROR", "Object 0", "32 cells", "deltaT"))
+                "fsiPisoFoam",
+                ("FATAL ERROR", "Object 0", "32 cells", "deltaT"))
 
 
 def main(folder):
