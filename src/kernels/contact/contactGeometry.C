@@ -67,7 +67,10 @@ Foam::fsi::contactPair Foam::fsi::contactGeometry::pair
     p.other = surfaces.faceObject()[nearest.face];
     p.weights = nearest.weights;
 
-    const scalar side = (nearest.offset & outward) < 0 ? -1 : 1;
+    // Pairs within an object face each other (inFront): where the surface is
+    // kinked the mean normal may say the opposite
+    const bool own = p.other == surfaces.pointObject()[nodei];
+    const scalar side = !own && (nearest.offset & outward) < 0 ? -1 : 1;
     p.gap = side*distance;
     p.normal =
         distance > VSMALL

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "searchCases.H"
+#include "Random.H"
 
 TEST(ContactSearch, cellsFindWhatBruteForceFinds)
 {
@@ -51,6 +52,35 @@ TEST(ContactSearch, gapIsNegativeInside)
         }
     }
     EXPECT_GT(nInside, 3);
+}
+
+
+TEST(ContactSearch, kinksOfAnObjectHaveGapsInFront)
+{
+    // Nodes thrown about the circle by a spacing: faces that face each other
+    // at kinks where the mean normal of a node says the opposite
+    const label n = 60;
+    label nPairs = 0;
+    for (label seed = 1; seed < 40; ++seed)
+    {
+        Random random(seed);
+        pointField x(circleNodes(1, n));
+        for (point& p : x)
+        {
+            p.x() += 0.3*(random.sample01<scalar>() - 0.5);
+            p.y() += 0.3*(random.sample01<scalar>() - 0.5);
+        }
+        surfaceSet surfaces(2);
+        surfaces.append(x, polygonFaces(n));
+        contactPairs found;
+        searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.3, found);
+        for (const contactPair& p : found.pairs)
+        {
+            ++nPairs;
+            EXPECT_GT(p.gap, 0) << "seed " << seed << " node " << p.node;
+        }
+    }
+    EXPECT_GT(nPairs, 100);
 }
 
 
