@@ -21,7 +21,8 @@ def soft_disc():
             f"softDisc-{cells}", cells=(cells, cells), viscosity=0.01,
             walls={"top": "(1 0 0)"},
             properties="contact { range 1; } output { objectsEvery 2; }",
-            shapes=disc(0.2, "density 1; E 0.26667;"),
+            shapes=disc(0.2, "density 1; E 0.26667;",
+                        f"nodeSpacing {1/cells};"),
             placements=placed("disc", (0.6, 0.5)),
             deltaT=0.32/cells, endTime=7, writeInterval=1)
         minutes = case.solve()
