@@ -227,12 +227,12 @@ Foam::fsi::pressureLevels::pressureLevels(const fsiSystem& system)
 
 void Foam::fsi::pressureLevels::update(const fvScalarMatrix& matrix)
 {
-    active_ = false;
-    for (label i = 0; i < system_.objects.size() && !active_; ++i)
+    nLevels_ = 0;
+    for (label i = 0; i < system_.objects.size(); ++i)
     {
-        active_ = system_.objects.free(i);
+        nLevels_ += system_.objects.free(i);
     }
-    if (!active_)
+    if (!active())
     {
         return;
     }

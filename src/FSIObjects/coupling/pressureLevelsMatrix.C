@@ -217,11 +217,6 @@ void Foam::fsi::pressureLevels::factor(const scalar largest)
     // Without a fixed pressure the mean level is free: its residual, which is
     // nothing but rounding errors, must not be blown up
     floating_ = total < 1e-6*sum(diagonal) + largest;
-    nLevels_ = 0;
-    for (label i = 0; i < n; ++i)
-    {
-        nLevels_ += system_.objects.free(i);
-    }
     for (label i = 0; i < n; ++i)
     {
         triplets.emplace_back(i, i, 1e-4*max(diagonal[i], largest));
