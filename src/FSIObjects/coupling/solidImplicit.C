@@ -29,7 +29,8 @@ Foam::fsi::solidImplicit::solidImplicit
 :
     couplingModel(system, timer, dict),
     viscous_(system),
-    term_(system)
+    term_(system),
+    conductance_(system)
 {
     checkKeys(dict, {"type"});
 }
@@ -192,6 +193,29 @@ void Foam::fsi::solidImplicit::solvePressure
 }
 
 
+void Foam::fsi::solidImplicit::updateMultigrid
+(
+    const volScalarField& p,
+    fvScalarMatrix& pEqn
+)
+{
+    if (!multigrid_.valid())
+    {
+        multigrid_.reset
+        (
+            new cartesianMultigrid(p.mesh(), p.mesh().solverDict(p.name()))
+        );
+    }
+    const auto interfaces = p.boundaryField().scalarInterfaces();
+
+    // Cells inside the objects conduct in the cycle, not in the equation
+    fvScalarMatrix conducting(pEqn);
+    conductance_.addTo(conducting);
+    multigrid_->update(conducting, conducting.boundaryCoeffs(), interfaces);
+    multigrid_->updateProduct(pEqn, pEqn.boundaryCoeffs(), interfaces);
+}
+
+
 void Foam::fsi::solidImplicit::solveWithObjects
 (
     volScalarField& p,
@@ -199,47 +223,36 @@ void Foam::fsi::solidImplicit::solveWithObjects
     const scalarField& source
 )
 {
-    fixInactive(p, pEqn);
-    scalarField b(pEqn.source());
     const boolList& active = system_.geometry.activeCell();
+    scalarField& diagonal = pEqn.diag();
+    scalarField b(source);
     forAll(b, celli)
     {
-        if (active[celli])
+        if (!active[celli])
         {
-            b[celli] += source[celli];
+            b[celli] = 0;
+            diagonal[celli] = 0;
         }
     }
 
-    term_.update(pEqn);
-
     // Patches' parts of diagonal and source, as fvMatrix::solve adds them
-    scalarField& diagonal = pEqn.diag();
     forAll(p.boundaryField(), patchi)
     {
         const labelUList& cells = pEqn.lduAddr().patchAddr(patchi);
         const bool coupled = p.boundaryField()[patchi].coupled();
-        forAll(cells, i)
+        for (label i = 0; i < cells.size(); ++i)
         {
-            diagonal[cells[i]] += pEqn.internalCoeffs()[patchi][i];
-            if (!coupled)
+            if (active[cells[i]])
             {
-                b[cells[i]] += pEqn.boundaryCoeffs()[patchi][i];
+                diagonal[cells[i]] += pEqn.internalCoeffs()[patchi][i];
+                b[cells[i]] +=
+                    coupled ? 0 : pEqn.boundaryCoeffs()[patchi][i];
             }
         }
     }
+    updateMultigrid(p, pEqn);
 
     const dictionary& controls = p.mesh().solverDict(p.name());
-    if (!multigrid_.valid())
-    {
-        multigrid_.reset(new cartesianMultigrid(p.mesh(), controls));
-    }
-    multigrid_->update
-    (
-        pEqn,
-        pEqn.boundaryCoeffs(),
-        p.boundaryField().scalarInterfaces(),
-        term_.diagonal()
-    );
     cartesianMultigrid::loopControls loop;
     loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
     loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
@@ -252,6 +265,15 @@ void Foam::fsi::solidImplicit::solveWithObjects
         loop,
         &term_
     ).print(Info.masterStream(p.mesh().comm()));
+
+    // Inside the objects nothing is solved for
+    forAll(active, celli)
+    {
+        if (!active[celli])
+        {
+            p[celli] = oldPressure_[celli];
+        }
+    }
     p.correctBoundaryConditions();
 }
 

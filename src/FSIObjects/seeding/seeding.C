@@ -45,7 +45,7 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
         }
     );
     const scalar nodeSpacing =
-        readPositive(dict, "nodeSpacing", domain_.spacing/1.5);
+        readPositive(dict, "nodeSpacing", domain_.spacing);
 
     dictionary shapeDict(dict);
     shapeDict.remove("nodeSpacing");

@@ -28,25 +28,10 @@ Foam::scalar Foam::fsi::cartesianMultigrid::multiply
 }
 
 
-Foam::scalar Foam::fsi::cartesianMultigrid::correction
-(
-    const addedTerm& term
-) const
-{
-    const cellTransfer& transfer = lattice_.transfer();
-    transfer.toCells(r_.cdata(), 1, cellX_);
-    cellAx_ = 0;
-    term.correct(cellAx_, cellX_);
-    transfer.toBlock(cellAx_, 1, Ap_.data());
-    return dotProduct(matrix_.A(), r_.cdata(), Ap_.cdata());
-}
-
-
 Foam::scalar Foam::fsi::cartesianMultigrid::nextDirection
 (
     const scalar residual,
-    const scalar oldProduct,
-    const addedTerm* term
+    const scalar oldProduct
 ) const
 {
     // Single precision needs values of order one
@@ -59,19 +44,10 @@ Foam::scalar Foam::fsi::cartesianMultigrid::nextDirection
     hierarchy_.cycle();
 
     const scalar factor = size/norm_;
-    const bool corrects = term && term->corrects();
-    scalar rz = factor*dotProduct(A, r_.cdata(), finest.x().cdata());
-    if (corrects)
-    {
-        rz += correction(*term);
-    }
-    rz = total(rz);
+    const scalar rz =
+        total(factor*dotProduct(A, r_.cdata(), finest.x().cdata()));
     const scalar beta = oldProduct > 0 ? rz/oldProduct : 0;
     updateDirection(A, factor, finest.x().cdata(), beta, p_.data());
-    if (corrects)
-    {
-        updateDirection(A, 1, Ap_.cdata(), 1, p_.data());
-    }
     return rz;
 }
 
@@ -87,7 +63,7 @@ void Foam::fsi::cartesianMultigrid::iterate
     scalar rz = 0;
     do
     {
-        rz = nextDirection(factor*result.finalResidual(), rz, term);
+        rz = nextDirection(factor*result.finalResidual(), rz);
         const scalar pAp = multiply(p_, Ap_, term);
         if (result.checkSingularity(mag(pAp)/factor))
         {
@@ -130,6 +106,10 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
 
     transfer.toBlock(psi, 1, x_.data());
     transfer.toBlock(source, matrix_.sign(), r_.data());
+    if (!term || term->keepsLevel())
+    {
+        matrix_.removeLevel(r_);
+    }
     multiply(x_, Ap_, term);
     const scalar factor =
         matrix_.normFactor(Ap_, r_, total(sum(psi))/nMeshCells_);

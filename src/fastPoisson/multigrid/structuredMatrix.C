@@ -83,7 +83,8 @@ Foam::fsi::structuredMatrix::structuredMatrix(const cartesianLattice& lattice)
     diagonal_(lattice.layout().size(), Zero),
     rowSum_(lattice.layout().size(), Zero),
     A_(lattice.layout()),
-    sign_(1)
+    sign_(1),
+    singular_(false)
 {
     forAll(target_, facei)
     {
@@ -167,6 +168,40 @@ void Foam::fsi::structuredMatrix::update
         halo_.fillHigh(d, face_[d].data());
     }
     rowSums(A_, rowSum_.data());
+
+    singular_ = true;
+    forRows([&](const label place)
+    {
+        // Up to rounding
+        singular_ =
+            singular_
+         && mag(rowSum_[place]) <= 1e-12*A_.diagonal[place];
+    });
+    reduce(singular_, andOp<bool>(), UPstream::msgType(), comm);
+}
+
+
+void Foam::fsi::structuredMatrix::removeLevel(scalarField& source) const
+{
+    if (!singular_)
+    {
+        return;
+    }
+    scalar sums[2] = {0, 0};
+    forRows([&](const label place)
+    {
+        sums[0] += A_.diagonal[place] != 0 ? source[place] : 0;
+        sums[1] += A_.diagonal[place] != 0;
+    });
+    for (scalar& sum : sums)
+    {
+        reduce(sum, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    }
+    const scalar mean = sums[0]/max(sums[1], 1);
+    forRows([&](const label place)
+    {
+        source[place] -= A_.diagonal[place] != 0 ? mean : 0;
+    });
 }
 
 

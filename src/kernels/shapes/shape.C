@@ -75,16 +75,14 @@ Foam::scalar Foam::fsi::shape::cornerAngle() const
 
 Foam::pointField Foam::fsi::shape::outline(const scalar nodeSpacing) const
 {
+    const pointField fine(outlineTools::counterClockwise(curve()));
     pointField points
     (
-        outlineTools::resample
-        (
-            outlineTools::counterClockwise(curve()),
-            nodeSpacing,
-            cornerAngle()
-        )
+        outlineTools::resample(fine, nodeSpacing, cornerAngle())
     );
     points -= outlineTools::centroid(points);
+    points *=
+        std::sqrt(outlineTools::area(fine)/outlineTools::area(points));
     return points;
 }
 

@@ -52,7 +52,7 @@ TEST(ContactCrowd, overlapIsNoticed)
 {
     discCrowd crowd(3);
     EXPECT_EQ(crowd.nOverlaps(), 0);
-    crowd.group.positions().col(0).array() += 0.7;
+    crowd.group.positions().col(0).array() += 0.9;
     EXPECT_EQ(crowd.nOverlaps(), 1);
     crowd.group.positions().col(0).array() -= 5;
     EXPECT_EQ(crowd.nOverlaps(), 1);

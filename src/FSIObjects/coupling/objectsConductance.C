@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectsConductance.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::fsi::objectsConductance::inside() const
+{
+    const boolList& active = system_.geometry.activeCell();
+    const labelList& nearest = system_.levelSet->object();
+    const labelList& place = system_.geometry.haloIndex();
+
+    labelList result(active.size(), label(fluid));
+    forAll(result, celli)
+    {
+        if (!active[celli])
+        {
+            const label o = nearest[place[celli]];
+            const label objecti = o < 0 ? o : system_.surfaces().original(o);
+            result[celli] =
+                objecti >= 0 && system_.objects.free(objecti)
+              ? objecti
+              : label(insulator);
+        }
+    }
+    return result;
+}
+
+
+void Foam::fsi::objectsConductance::addInterior
+(
+    const labelList& own,
+    const labelList& neighbour,
+    scalarField& conductance
+) const
+{
+    const cartesianMesh& grid = system_.grid;
+    const scalar h = grid.spacing();
+    const scalar face =
+        system_.deltaT()*pow(h, grid.nDims() - 2)*grid.thickness();
+
+    scalarField factor(system_.objects.size(), Zero);
+    forAll(factor, objecti)
+    {
+        const shapeTemplate& shape =
+            system_.objects.groups()[system_.objects.objectGroup(objecti)]
+           .shape();
+        const scalar volume = shape.mass()/shape.density()/grid.thickness();
+        const scalar reach =
+            system_.deltaT()*std::sqrt(shape.youngsModulus()/shape.density());
+        factor[objecti] =
+            max(pow(volume, 1.0/grid.nDims())/(2.5*h + reach), 1.0)
+           *min(system_.fluidDensity/shape.density(), 1.0);
+    }
+    forAll(conductance, facei)
+    {
+        if (own[facei] >= 0 && own[facei] == neighbour[facei])
+        {
+            conductance[facei] = face*factor[own[facei]];
+        }
+    }
+}
+
+
+void Foam::fsi::objectsConductance::addWalls
+(
+    const labelList& own,
+    const labelList& neighbour,
+    scalarField& conductance
+) const
+{
+    const auto reaches = [&](const wallFace& w)
+    {
+        return own[w.face] >= 0 || neighbour[w.face] >= 0;
+    };
+    const auto cellOf = [](const wallFace& w)
+    {
+        return w.lower >= 0 ? w.lower : w.upper;
+    };
+    scalarField perArea(diagonal());
+    scalarField area(perArea.size(), Zero);
+    for (const wallFace& w : system_.geometry.wallFaces())
+    {
+        if (reaches(w))
+        {
+            area[cellOf(w)] += w.area;
+        }
+    }
+    perArea /= max(area, VSMALL);
+    for (const wallFace& w : system_.geometry.wallFaces())
+    {
+        if (reaches(w))
+        {
+            conductance[w.face] = w.area*perArea[cellOf(w)];
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::objectsConductance::objectsConductance(const fsiSystem& system)
+:
+    system_(system)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::scalarField>
+Foam::fsi::objectsConductance::conductance() const
+{
+    const fvMesh& mesh = system_.grid.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const labelList object(inside());
+
+    labelList own(mesh.nFaces()), neighbour(mesh.nFaces());
+    labelList across;
+    syncTools::swapBoundaryCellList(mesh, object, across);
+    forAll(own, facei)
+    {
+        own[facei] = object[mesh.faceOwner()[facei]];
+        neighbour[facei] =
+            facei < nInternal
+          ? object[mesh.faceNeighbour()[facei]]
+          : across[facei - nInternal];
+    }
+
+    auto tg = tmp<scalarField>::New(mesh.nFaces(), Zero);
+    scalarField& g = tg.ref();
+    addInterior(own, neighbour, g);
+    addWalls(own, neighbour, g);
+
+    // The rank of the cell inside has no wall
+    SubList<scalar> boundary(g, mesh.nFaces() - nInternal, nInternal);
+    syncTools::syncBoundaryFaceList(mesh, boundary, maxEqOp<scalar>());
+    return tg;
+}
+
+
+void Foam::fsi::objectsConductance::addTo(fvScalarMatrix& matrix) const
+{
+    const fvMesh& mesh = system_.grid.mesh();
+    const scalarField g(conductance());
+
+    scalarField& diagonal = matrix.diag();
+    scalarField& upper = matrix.upper();
+    forAll(upper, facei)
+    {
+        upper[facei] -= g[facei];
+        diagonal[mesh.faceOwner()[facei]] += g[facei];
+        diagonal[mesh.faceNeighbour()[facei]] += g[facei];
+    }
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatch& patch = mesh.boundary()[patchi];
+        for (label i = 0; i < patch.size() && patch.coupled(); ++i)
+        {
+            matrix.boundaryCoeffs()[patchi][i] += g[patch.start() + i];
+            diagonal[patch.faceCells()[i]] += g[patch.start() + i];
+        }
+    }
+}
+
+
+// ************************************************************************* //
