@@ -74,25 +74,33 @@ void Foam::fsi::objectsConductance::addWalls
     {
         return own[w.face] >= 0 || neighbour[w.face] >= 0;
     };
-    const auto cellOf = [](const wallFace& w)
+    const scalarField d(estimate*diagonal());
+    const UList<wallFace>& faces = system_.geometry.wallFaces();
+
+    // Closed area of each cell towards the inside
+    scalarField inner(d.size(), Zero), all(d.size(), Zero);
+    for (const wallFace& w : faces)
     {
-        return w.lower >= 0 ? w.lower : w.upper;
-    };
-    scalarField perArea(diagonal());
-    scalarField area(perArea.size(), Zero);
-    for (const wallFace& w : system_.geometry.wallFaces())
-    {
-        if (reaches(w))
+        for (const label celli : {w.lower, w.upper})
         {
-            area[cellOf(w)] += w.area;
+            if (celli >= 0)
+            {
+                inner[celli] += reaches(w) ? w.area : 0;
+                all[celli] += w.area;
+            }
         }
     }
-    perArea /= max(area, VSMALL);
-    for (const wallFace& w : system_.geometry.wallFaces())
+    for (const wallFace& w : faces)
     {
-        if (reaches(w))
+        const bool both = w.lower >= 0 && w.upper >= 0;
+        const bool thin = both && inner[w.lower] + inner[w.upper] == 0;
+        for (const label celli : {w.lower, w.upper})
         {
-            conductance[w.face] = w.area*perArea[cellOf(w)];
+            if (celli >= 0 && (thin || reaches(w)))
+            {
+                conductance[w.face] +=
+                    w.area*d[celli]/(thin ? all : inner)[celli];
+            }
         }
     }
 }
