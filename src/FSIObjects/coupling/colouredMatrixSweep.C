@@ -66,7 +66,8 @@ template<int nCmpts>
 Foam::scalar Foam::fsi::colouredMatrix::relax
 (
     const label first,
-    const label last
+    const label last,
+    const scalar relaxation
 )
 {
     const label* __restrict__ neighbour = neighbourRow_.cdata();
@@ -96,7 +97,7 @@ Foam::scalar Foam::fsi::colouredMatrix::relax
         }
         for (int d = 0; d < nCmpts; ++d)
         {
-            x[place + d] += relaxation_*residual[d]/diagonal[place + d];
+            x[place + d] += relaxation*residual[d]/diagonal[place + d];
             squares += residual[d]*residual[d];
         }
     }
@@ -106,7 +107,7 @@ Foam::scalar Foam::fsi::colouredMatrix::relax
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::colouredMatrix::sweep()
+Foam::scalar Foam::fsi::colouredMatrix::sweep(const scalar relaxation)
 {
     scalar squares = 0;
     for (const bool red : {true, false})
@@ -115,7 +116,9 @@ Foam::scalar Foam::fsi::colouredMatrix::sweep()
         const label first = red ? 0 : nRed_;
         const label last = red ? nRed_ : rowOf_.size();
         squares +=
-            nDims_ == 2 ? relax<2>(first, last) : relax<3>(first, last);
+            nDims_ == 2
+          ? relax<2>(first, last, relaxation)
+          : relax<3>(first, last, relaxation);
     }
     return Foam::sqrt(returnReduce(squares, sumOp<scalar>()));
 }

@@ -84,6 +84,48 @@ static void addTransposedForce
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+void Foam::fsi::transposedModes
+(
+    const fsiSystem& system,
+    fsiSystem::groupNodal& t
+)
+{
+    const surfaceSet& surfaces = system.objects.surfaces();
+    const pointField& x = surfaces.points();
+    const scalar viscosity =
+        system.fluidDensity*system.viscosity*system.grid.thickness();
+
+    vectorField modes(x.size(), Zero);
+    for
+    (
+        label objecti = 0;
+        system.transposedStress == fsiSystem::transposedPart::rotation
+     && objecti < system.objects.size();
+        ++objecti
+    )
+    {
+        const label start = surfaces.pointStart()[objecti];
+        const label n = surfaces.pointStart()[objecti + 1] - start;
+        const SubList<point> points(x, n, start);
+        const vector centre(sum(points)/n);
+        scalar second = 0;
+        for (const point& p : points)
+        {
+            second += sqr(p.x() - centre.x()) + sqr(p.y() - centre.y());
+        }
+        // A rotation omega has the torque -2 rho nu V omega
+        const scalar scale =
+            Foam::sqrt(2*viscosity*surfaces.volume(objecti))/second;
+        for (label i = start; i < start + n; ++i)
+        {
+            modes[i] =
+                scale*vector(centre.y() - x[i].y(), x[i].x() - centre.x(), 0);
+        }
+    }
+    system.toBoundary(modes, t);
+}
+
+
 void Foam::fsi::addTransposedForce
 (
     const fsiSystem& system,

@@ -95,6 +95,8 @@ void Foam::fsi::viscousCoupling::updateResponses
     }
     gatherLinks(links);
 
+    fsiSystem::groupNodal turning;
+    transposedModes(system_, turning);
     responses_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
     {
@@ -112,6 +114,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         (
             system_.deltaT(),
             {first, first + group.size()},
+            turning[groupi],
             predicted[groupi]
         );
     }
@@ -136,8 +139,10 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
         link.place.spread(nodal_, value);
     }
     sumOverRanks(nodal_);
-    addTransposedForce(system_, nodalVelocity_, nodal_);
-
+    if (system_.transposedStress == fsiSystem::transposedPart::linear)
+    {
+        addTransposedForce(system_, nodalVelocity_, nodal_);
+    }
     system_.toBoundary(nodal_, groupForce_);
     forAll(v, groupi)
     {
@@ -145,6 +150,18 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
         {
             responses_[groupi]->solve(groupForce_[groupi], v[groupi]);
         }
+    }
+}
+
+
+void Foam::fsi::viscousCoupling::overRelax(fsiSystem::groupNodal& v)
+{
+    const scalar further = max(relaxation_.factor() - 1, 0.0);
+    lastVelocity_ = v;
+    nodeVelocity(v);
+    forAll(v, groupi)
+    {
+        v[groupi] += further*(v[groupi] - lastVelocity_[groupi]);
     }
 }
 
@@ -197,77 +214,6 @@ void Foam::fsi::viscousCoupling::setMatrix(const fvVectorMatrix& UEqn)
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::viscousCoupling::solve
-(
-    fvVectorMatrix& UEqn,
-    volVectorField& U,
-    const fsiSystem::groupNodal& predicted,
-    fsiSystem::groupNodal& velocity,
-    vectorField& force
-)
-{
-    const dictionary& controls = U.mesh().solverDict(U.name());
-    const label maxIter = controls.lookupOrDefault<label>("maxIter", 1000);
-    solverPerformance result("fsiSOR", U.name());
-
-    updateResponses(predicted);
-    setMatrix(UEqn);
-    fsiSystem::groupNodal boundary(predicted.size());
-    forAll(predicted, groupi)
-    {
-        boundary[groupi] = predicted[groupi].topRows
-        (
-            system_.objects.shape(groupi).nBoundaryNodes()
-        );
-    }
-    system_.fromBoundary(boundary, nodalVelocity_);
-    nodeVelocity(boundary);
-    moveWalls(boundary);
-    const scalar norm = matrix_.sourceNorm() + VSMALL;
-    do
-    {
-        result.finalResidual() = matrix_.sweep()/norm;
-        if (result.nIterations() == 0)
-        {
-            result.initialResidual() = result.finalResidual();
-        }
-        nodeVelocity(boundary);
-        moveWalls(boundary);
-    } while
-    (
-        ++result.nIterations() < maxIter
-     && !result.checkConvergence
-        (
-            controls.lookupOrDefault<scalar>("tolerance", 1e-7),
-            controls.lookupOrDefault<scalar>("relTol", 0)
-        )
-    );
-    result.print(Info.masterStream(U.mesh().comm()));
-
-    matrix_.get(U.primitiveFieldRef());
-    U.correctBoundaryConditions();
-    force.setSize(nodalVelocity_.size());
-    force = Zero;
-    addLinkForce(system_, U, nodalVelocity_, force);
-    sumOverRanks(force);
-    addTransposedForce(system_, nodalVelocity_, force);
-
-    velocity = predicted;
-    system_.objects.toGroups(force, groupForce_);
-    forAll(velocity, groupi)
-    {
-        if (responses_[groupi])
-        {
-            responses_[groupi]->finish
-            (
-                groupForce_[groupi],
-                velocity[groupi]
-            );
-        }
-    }
-}
-
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 

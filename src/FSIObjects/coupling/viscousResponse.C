@@ -27,7 +27,7 @@ Foam::fsi::viscousResponse::New(const bodyGroup& group)
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-Eigen::Vector2d Foam::fsi::viscousResponse::project
+Foam::fsi::viscousResponse::modeVector Foam::fsi::viscousResponse::project
 (
     const Eigen::MatrixXd& x,
     const label copyi
@@ -35,8 +35,8 @@ Eigen::Vector2d Foam::fsi::viscousResponse::project
 {
     const label nDims = group_.shape().nDims();
     const auto columns = x.middleCols(nDims*copyi, nDims);
-    Eigen::Vector2d amount;
-    for (label mode = 0; mode < 2; ++mode)
+    modeVector amount;
+    for (label mode = 0; mode < nModes; ++mode)
     {
         amount[mode] = modes_[mode].middleCols(nDims*copyi, nDims)
            .cwiseProduct(columns).sum();
@@ -49,14 +49,14 @@ Eigen::Vector2d Foam::fsi::viscousResponse::project
 
 void Foam::fsi::viscousResponse::addModes
 (
-    const Eigen::MatrixXd (&modes)[2],
-    const Eigen::Vector2d& amount,
+    const Eigen::MatrixXd (&modes)[nModes],
+    const modeVector& amount,
     const label copyi,
     Eigen::MatrixXd& x
 ) const
 {
     const label nDims = group_.shape().nDims();
-    for (label mode = 0; mode < 2; ++mode)
+    for (label mode = 0; mode < nModes; ++mode)
     {
         x.middleCols(nDims*copyi, nDims) +=
             amount[mode]*modes[mode].middleCols(nDims*copyi, nDims);
@@ -66,14 +66,19 @@ void Foam::fsi::viscousResponse::addModes
 
 void Foam::fsi::viscousResponse::makeWoodbury()
 {
-    solveMatrices(modes_[0], solved_[0]);
-    solveMatrices(modes_[1], solved_[1]);
+    for (label mode = 0; mode < nModes; ++mode)
+    {
+        solveMatrices(modes_[mode], solved_[mode]);
+    }
     woodbury_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        Eigen::Matrix2d inverse(deltaT_*added_[copyi].inverse());
-        inverse.col(0) += project(solved_[0], copyi);
-        inverse.col(1) += project(solved_[1], copyi);
+        modeMatrix inverse(modeMatrix::Identity());
+        inverse.topLeftCorner<2, 2>() = deltaT_*added_[copyi].inverse();
+        for (label mode = 0; mode < nModes; ++mode)
+        {
+            inverse.col(mode) += project(solved_[mode], copyi);
+        }
         woodbury_[copyi] = inverse.inverse();
     }
 }
@@ -85,7 +90,8 @@ void Foam::fsi::viscousResponse::makeSource()
     source_ = multiply(start);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        const Eigen::Vector2d amount(added_[copyi]*project(start, copyi));
+        modeVector amount(modeVector::Zero());
+        amount.head<2>() = added_[copyi]*project(start, copyi).head<2>();
         addModes(modes_, amount, copyi, source_);
     }
     source_ /= deltaT_;
@@ -98,11 +104,14 @@ void Foam::fsi::viscousResponse::update
 (
     const scalar dt,
     const copyLinks& links,
+    const Eigen::MatrixXd& turning,
     const Eigen::MatrixXd& predicted
 )
 {
     deltaT_ = dt;
     start_ = predicted;
+    modes_[2].setZero(nRows(), turning.cols());
+    modes_[2].topRows(turning.rows()) = turning;
     makeMatrices(links);
     makeWoodbury();
     makeSource();
@@ -120,7 +129,7 @@ void Foam::fsi::viscousResponse::solve
     solveMatrices(load_, solution_);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        const Eigen::Vector2d amount
+        const modeVector amount
         (
             -(woodbury_[copyi]*project(solution_, copyi))
         );

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "overRelaxation.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::overRelaxation::better(const scalar rate) const
+{
+    const scalar mu2 = sqr(rate + factor_ - 1)/(sqr(factor_)*rate);
+    const scalar best =
+        mu2 < 1 ? 2/(1 + Foam::sqrt(1 - mu2)) : scalar(largest_);
+    return min(best, max(smallest_, scalar(largest_)));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::overRelaxation::start(const scalar smallest)
+{
+    const scalar gain = max(factor_ - smallest_, 0.0);
+    smallest_ = smallest;
+    factor_ =
+        smallest < 1
+      ? smallest
+      : max(smallest, min(smallest + 0.97*gain, scalar(largest_)));
+    residual_ = 0;
+    sweeps_ = 0;
+}
+
+
+void Foam::fsi::overRelaxation::observe(const scalar residual)
+{
+    if (residual_ <= 0 || sweeps_ < 0)
+    {
+        residual_ = residual;
+        ++sweeps_;
+        return;
+    }
+    if (++sweeps_ < nSweeps_ || residual <= 0)
+    {
+        return;
+    }
+    const scalar rate = pow(residual/residual_, 1.0/nSweeps_);
+    const scalar old = factor_;
+    if (rate >= 1)
+    {
+        factor_ = smallest_ + 0.5*(factor_ - smallest_);
+    }
+    else if (smallest_ >= 1 && rate > factor_ - 1)
+    {
+        factor_ = max(factor_, better(rate));
+    }
+    residual_ = residual;
+    sweeps_ = mag(factor_ - old) > 0.01 ? -2 : 0;
+}
+
+
+// ************************************************************************* //

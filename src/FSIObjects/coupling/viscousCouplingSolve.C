@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "viscousCoupling.H"
+#include "sumOverRanks.H"
+#include "solverPerformance.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::viscousCoupling::finish
+(
+    const volVectorField& U,
+    const fsiSystem::groupNodal& predicted,
+    fsiSystem::groupNodal& velocity,
+    vectorField& force
+)
+{
+    force.setSize(nodalVelocity_.size());
+    force = Zero;
+    addLinkForce(system_, U, nodalVelocity_, force);
+    sumOverRanks(force);
+    addTransposedForce(system_, nodalVelocity_, force);
+
+    velocity = predicted;
+    system_.objects.toGroups(force, groupForce_);
+    forAll(velocity, groupi)
+    {
+        if (responses_[groupi])
+        {
+            responses_[groupi]->finish
+            (
+                groupForce_[groupi],
+                velocity[groupi]
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::viscousCoupling::solve
+(
+    fvVectorMatrix& UEqn,
+    volVectorField& U,
+    const fsiSystem::groupNodal& predicted,
+    fsiSystem::groupNodal& velocity,
+    vectorField& force
+)
+{
+    const dictionary& controls = U.mesh().solverDict(U.name());
+    const label maxIter = controls.lookupOrDefault<label>("maxIter", 1000);
+    solverPerformance result("fsiSOR", U.name());
+
+    updateResponses(predicted);
+    setMatrix(UEqn);
+    fsiSystem::groupNodal boundary(predicted.size());
+    forAll(predicted, groupi)
+    {
+        boundary[groupi] = predicted[groupi].topRows
+        (
+            system_.objects.shape(groupi).nBoundaryNodes()
+        );
+    }
+    system_.fromBoundary(boundary, nodalVelocity_);
+    nodeVelocity(boundary);
+    moveWalls(boundary);
+    const scalar norm = matrix_.sourceNorm() + VSMALL;
+    relaxation_.start(matrix_.relaxation());
+    do
+    {
+        result.finalResidual() = matrix_.sweep(relaxation_.factor())/norm;
+        if (result.nIterations() == 0)
+        {
+            result.initialResidual() = result.finalResidual();
+        }
+        overRelax(boundary);
+        moveWalls(boundary);
+        relaxation_.observe(result.finalResidual());
+    } while
+    (
+        ++result.nIterations() < maxIter
+     && !result.checkConvergence
+        (
+            controls.lookupOrDefault<scalar>("tolerance", 1e-7),
+            controls.lookupOrDefault<scalar>("relTol", 0)
+        )
+    );
+    result.print(Info.masterStream(U.mesh().comm()));
+
+    matrix_.get(U.primitiveFieldRef());
+    U.correctBoundaryConditions();
+    finish(U, predicted, velocity, force);
+}
+
+
+// ************************************************************************* //
