@@ -43,7 +43,7 @@ void Foam::fsi::admmSolver::setRestLengths
     const springLaw& law = shape_.law();
     laneArray<lanes> state = laneArray<lanes>::Zero();
 
-    forAll(shape_.springs(), springi)
+    forAll(springWeights_, springi)
     {
         const label a = springRows_[2*springi];
         const label b = springRows_[2*springi + 1];

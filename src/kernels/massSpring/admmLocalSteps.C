@@ -145,6 +145,8 @@ void Foam::fsi::admmSolver::elementStep()
 
         array toUnit[4];
         deformation<lanes>(start_, change_, rows, E, B, toUnit);
+        const array shear0 = 0.5*shearRatio_*(toUnit[0] - toUnit[3]);
+        const array shear1 = 0.5*shearRatio_*(toUnit[1] + toUnit[2]);
         if (!atStart)
         {
             for (int i = 0; i < 4; ++i)
@@ -168,6 +170,12 @@ void Foam::fsi::admmSolver::elementStep()
                 at<lanes>(elementDual_, 4*elementi + i)
             );
         }
+
+        // F less its cofactors is twice the part of F that is not conformal
+        g[0] -= shear0;
+        g[1] -= shear1;
+        g[2] -= shear1;
+        g[3] += shear0;
 
         spread<lanes>(elementWeights_[elementi], g, rows, B, residual_);
     }

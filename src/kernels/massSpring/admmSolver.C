@@ -43,6 +43,10 @@ void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
     }
 
     springWeights_ = sqr(dt)*shape_.springWeights(dt);
+    if (shape_.shearModulus() > 0)
+    {
+        springWeights_.clear();
+    }
     springRatio_ = 1/controls.springWeight;
     springFraction_ = 1/(1 + controls.springWeight);
 
@@ -50,6 +54,9 @@ void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
         sqr(dt)*controls.areaWeight*shape_.areaStiffness()
        *shape_.elementTerm().volumes();
     elementRatio_ = 1/controls.areaWeight;
+    shearRatio_ =
+        2*shape_.shearModulus()
+       /max(controls.areaWeight*shape_.areaStiffness(), VSMALL);
     elementFraction_ = 1/(1 + controls.areaWeight);
 }
 

@@ -10,13 +10,15 @@ namespace fsi
 {
 
 //- P - F of an element of a copy, row by row; P is the nearest matrix of
-//  determinant 1 to the deformation gradient F
+//  determinant 1 to the deformation gradient F. And the part of F that is not
+//  conformal, (c d; d -c)
 static FixedList<scalar, 4> toUnitDeterminant
 (
     const shapeTemplate& shape,
     const label elementi,
     const Eigen::MatrixXd& positions,
-    const label copyi
+    const label copyi,
+    scalar (&sheared)[2]
 )
 {
     typedef Eigen::Array<double, 1, 1> array;
@@ -33,6 +35,8 @@ static FixedList<scalar, 4> toUnitDeterminant
         F[2*i] = d1*B[0] + d2*B[2] + scalar(i == 0);
         F[2*i + 1] = d1*B[1] + d2*B[3] + scalar(i == 1);
     }
+    sheared[0] = 0.5*(F[0][0] - F[3][0]);
+    sheared[1] = 0.5*(F[1][0] + F[2][0]);
     volumeTerm::toUnitDeterminant(F[0], F[1], F[2], F[3]);
 
     FixedList<scalar, 4> result;
@@ -106,26 +110,35 @@ void Foam::fsi::bodyGroup::addElementTerms
     const volumeTerm& term = shape_.elementTerm();
     forAll(shape_.elements(), elementi)
     {
-        const FixedList<scalar, 4> toUnit
+        scalar sheared[2];
+        FixedList<scalar, 4> pull
         (
-            toUnitDeterminant(shape_, elementi, positions_, copyi)
+            toUnitDeterminant(shape_, elementi, positions_, copyi, sheared)
         );
-        const scalar weight = term.stiffness()*term.volumes()[elementi];
-        for (const scalar part : toUnit)
+        const scalar volume = term.volumes()[elementi];
+        const scalar shear = 2*shape_.shearModulus()*volume;
+        for (const scalar part : pull)
         {
-            energy += 0.5*weight*sqr(part);
+            energy += 0.5*term.stiffness()*volume*sqr(part);
         }
+        energy += shear*(sqr(sheared[0]) + sqr(sheared[1]));
         if (force)
         {
+            for (scalar& part : pull)
+            {
+                part *= term.stiffness()*volume;
+            }
+            pull[0] -= shear*sheared[0];
+            pull[1] -= shear*sheared[1];
+            pull[2] -= shear*sheared[1];
+            pull[3] += shear*sheared[0];
             auto f = force->middleCols(2*copyi, 2);
             const bodyElement& element = shape_.elements()[elementi];
             const scalar* B = &term.inverseEdges()[4*elementi];
             for (label i = 0; i < 2; ++i)
             {
-                const scalar h1 =
-                    weight*(toUnit[2*i]*B[0] + toUnit[2*i + 1]*B[1]);
-                const scalar h2 =
-                    weight*(toUnit[2*i]*B[2] + toUnit[2*i + 1]*B[3]);
+                const scalar h1 = pull[2*i]*B[0] + pull[2*i + 1]*B[1];
+                const scalar h2 = pull[2*i]*B[2] + pull[2*i + 1]*B[3];
                 f(element[0], i) -= h1 + h2;
                 f(element[1], i) += h1;
                 f(element[2], i) += h2;

@@ -70,7 +70,10 @@ Foam::fsi::membraneMaterial::membraneMaterial(const dictionary& dict)
 bool Foam::fsi::membraneMaterial::chosen(const dictionary& dict)
 {
     return
-        readChoice(dict, "type", "elastic", {"elastic", "membrane"})
+        readChoice
+        (
+            dict, "type", "elastic", {"elastic", "neoHookean", "membrane"}
+        )
      == "membrane";
 }
 

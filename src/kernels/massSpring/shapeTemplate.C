@@ -2,6 +2,7 @@
 
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
+#include "elasticMaterial.H"
 #include "shape.H"
 
 #include <algorithm>
@@ -57,35 +58,6 @@ static edgeList newSprings(const shapeMesh& mesh, const bool membrane)
 }
 
 
-//- Check the entries that go with the kind of material
-static void checkMaterial(const dictionary& dict, const bool membrane)
-{
-    if (!membrane)
-    {
-        checkKeys
-        (
-            dict.subDict("material"),
-            {
-                "type",
-                "density",
-                "E",
-                "springLaw",
-                "areaStiffness",
-                "calibration",
-                "nodeMass"
-            }
-        );
-    }
-    else if (dict.found("admm"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'admm' in dictionary " << dict.name()
-            << " has no meaning for a material of type membrane"
-            << exit(FatalIOError);
-    }
-}
-
-
 //- Mesh of the shape named in the dictionary
 static shapeMesh newMesh
 (
@@ -129,7 +101,7 @@ Eigen::SparseMatrix<double> Foam::fsi::shapeTemplate::matrix
     volumeTerm_->addLaplacian
     (
         mesh_,
-        sqr(dt)*admm_.areaWeight*areaStiffness_,
+        sqr(dt)*(admm_.areaWeight*areaStiffness_ + 2*shearModulus_),
         entries
     );
 
@@ -203,13 +175,20 @@ Foam::fsi::shapeTemplate::shapeTemplate
     (
         readNonNegative(materialDict_, "areaStiffness", 10*youngsModulus_)
     ),
+    shearModulus_
+    (
+        elasticMaterial::shearModulus
+        (
+            materialDict_, youngsModulus_, areaStiffness_
+        )
+    ),
     law_(newLaw(materialDict_, youngsModulus_)),
     admm_(dict.subOrEmptyDict("admm")),
     mesh_(mesh),
     springs_(newSprings(mesh_, membrane_.valid())),
     nFactorisations_(0)
 {
-    checkMaterial(dict, membrane_.valid());
+    elasticMaterial::check(dict, membrane_.valid());
     setGeometry();
     if (membrane_.valid())
     {

@@ -26,6 +26,12 @@ void Foam::fsi::shapeTemplate::setGeometry()
 
 void Foam::fsi::shapeTemplate::setElasticSprings()
 {
+    if (shearModulus_ > 0)
+    {
+        springConstants_.resize(springs_.size());
+        springConstants_ = 0;
+        return;
+    }
     const word calibration
     (
         readChoice

@@ -78,6 +78,24 @@ TEST(badMaterial, isRefusedWithFileAndKey)
     expectError(errorOf(circle, rubber + "colour 3;", ""), {"colour"});
     expectError
     (
+        errorOf(circle, rubber + "type rubber;", ""),
+        {"type", "elastic", "neoHookean", "membrane"}
+    );
+    expectError
+    (
+        errorOf
+        (
+            circle, rubber + "type neoHookean; areaStiffness 5e3;", ""
+        ),
+        {"areaStiffness", "5000"}
+    );
+    expectError
+    (
+        errorOf(circle, rubber + "type neoHookean; springLaw {}", ""),
+        {"springLaw"}
+    );
+    expectError
+    (
         errorOf(circle, rubber + "springLaw { type Burgers; }", ""),
         {"type", "Burgers", "Hookean", "KelvinVoigt", "Maxwell"}
     );

@@ -84,7 +84,11 @@ TEST(material, areaTermKeepsTheModulusAndStopsTheAreaChange)
 
 TEST(material, irregularDiscHasTheModulusInAllDirections)
 {
-    for (const string area : {"", "areaStiffness 0;"})
+    for
+    (
+        const string area :
+        {"", "areaStiffness 0;", "type neoHookean;"}
+    )
     {
         auto shape = disc("density 1; E 1e4; " + area, "", 0.0117);
         const scalar stress = 1e-3*E;
@@ -98,6 +102,33 @@ TEST(material, irregularDiscHasTheModulusInAllDirections)
         const scalar nu =
             -strainUnder(*shape, stress, 0, 0)[1]*Ex/stress;
         EXPECT_NEAR(0.5*stress/shear, 0.5*E/(1 + nu), 0.01*E);
+    }
+}
+
+
+TEST(material, neoHookeanForceIsTheGradientOfTheEnergy)
+{
+    auto shape = disc("type neoHookean; density 1; E 1e4;", "", 0.05);
+    auto group = groupOf(*shape);
+    group->append(Zero, tensor::I, Zero, Zero, 0);
+    Eigen::MatrixXd& x = group->positions();
+    for (label i = 0; i < x.rows(); ++i)
+    {
+        x(i, 0) += 5e-3*std::sin(1.7*i);
+        x(i, 1) += 5e-3*std::cos(0.9*i*i);
+    }
+
+    Eigen::MatrixXd force;
+    group->internalForce(force);
+    for (label i = 0; i < x.size(); ++i)
+    {
+        const scalar old = x(i), step = 1e-7;
+        x(i) = old + step;
+        const scalar up = group->elasticEnergy();
+        x(i) = old - step;
+        const scalar down = group->elasticEnergy();
+        x(i) = old;
+        EXPECT_NEAR(force(i), (down - up)/(2*step), 1e-5*force.norm());
     }
 }
 
