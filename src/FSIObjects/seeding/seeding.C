@@ -29,7 +29,10 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
     }
     space_.reset
     (
-        new packing(domain_.bounds, domain_.spacing, names, outlines)
+        new packing
+        (
+            domain_.bounds, domain_.spacing, names, outlines, domain_.period
+        )
     );
 }
 
@@ -125,7 +128,7 @@ void Foam::fsi::seeding::checkContacts() const
     if (nTouching)
     {
         const scalar gap =
-            space_->objectOutline(first).distance(space_->objectOutline(other));
+            space_->distance(space_->objectOutline(first), other);
         WarningInFunction
             << nTouching << " objects are nearer to another than the range of"
             << " contact, " << domain_.contactRange
