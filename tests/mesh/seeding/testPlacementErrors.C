@@ -195,6 +195,10 @@ TEST(Placement, refusesWrongEntries)
     (
         errorOf("type lattice; shape disc; counts (0 1 1);"), {"'counts'"}
     );
+    expectPieces
+    (
+        errorOf("type lattice; shape disc; spacing (3 0.5 0);"), {"'spacing'"}
+    );
 }
 
 TEST(Placement, refusesLinesOfAFileByNumber)
@@ -211,6 +215,15 @@ TEST(Placement, refusesLinesOfAFileByNumber)
     (
         errorOf("type csv; shape disc; file \"" + file + "\";"),
         {"line 3", "north", "'file'", "seedObjectsDict"}
+    );
+    {
+        OFstream os(file);
+        os  << "x, y\n0.2, nan\n";
+    }
+    expectPieces
+    (
+        errorOf("type csv; shape disc; file \"" + file + "\";"),
+        {"line 2", "nan", "'file'", "seedObjectsDict"}
     );
     {
         OFstream os(file);
