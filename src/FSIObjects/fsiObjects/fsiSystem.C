@@ -46,6 +46,14 @@ Foam::fsi::fsiSystem::fsiSystem
             << "; run seedObjects on this mesh"
             << exit(FatalError);
     }
+    const word scheme(mesh.ddtScheme("ddt(U)"));
+    if (scheme == "steadyState")
+    {
+        FatalIOErrorInFunction(mesh.schemesDict())
+            << "Entry 'ddt(U)' or 'default' of ddtSchemes is steadyState, but"
+            << " objects move in time: take Euler"
+            << exit(FatalIOError);
+    }
     renew();
     contacts = std::make_unique<objectContact>(*this);
 }
