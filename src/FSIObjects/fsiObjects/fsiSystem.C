@@ -46,6 +46,13 @@ Foam::fsi::fsiSystem::fsiSystem
             << "; run seedObjects on this mesh"
             << exit(FatalError);
     }
+    if (grid.nDims() == 2 && gravity.z() != 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'gravity' in dictionary " << dict.name() << " is "
+            << gravity << " but a mesh in x and y does not feel its part in z"
+            << exit(FatalIOError);
+    }
     const word scheme(mesh.ddtScheme("ddt(U)"));
     if (scheme == "steadyState")
     {

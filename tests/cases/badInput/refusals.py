@@ -31,6 +31,8 @@ SEEDING = [
     ("unknown shape", {"shape": "type blob;"}, ("blob", "circle")),
     ("unknown spring law", {"law": "springLaw { type gum; }"},
      ("gum", "Hookean")),
+    ("spring law that is no dictionary", {"law": "springLaw Hookean;"},
+     ("springLaw", "must be a dictionary")),
     ("unknown motion", {"more": "motion { type jumping; }"},
      ("jumping", "oscillating")),
     ("motion that is no dictionary", {"more": "motion fixed;"},
@@ -106,6 +108,7 @@ PROPERTIES = [
     ("feed through too narrow a patch", "boundaries { feed { left { shape "
      "disc; rate 1; velocity (1 0 0); sideGap 0.41; } } }",
      ("sideGap", "never fits", "left")),
+    ("gravity in z", "gravity (0 0 -9.81);", ("gravity", "-9.81", "in z")),
     ("negative fluid density", "fluidDensity -1;", ("fluidDensity", "-1")),
 ]
 
