@@ -26,7 +26,7 @@ Description
     coupling solidImplicit only their tolerance, relTol and maxIter count, and
     the multigrid's entries (solidImplicit.H): whatever \c solver names, p is
     solved by the multigrid and U by relaxation. There is one pressure equation
-    per step; \c nCorrectors and \c pFinal are not used, so let relTol of p be 0.
+    per step; \c nCorrectors and \c pFinal are not used: let relTol of p be 0.
 
 \*---------------------------------------------------------------------------*/
 
