@@ -22,6 +22,12 @@ Description
         maxDiffusion   | largest dt nu d/h^2; 0: none          | 0
     \endtable
 
+    Of system/fvSolution the dictionaries of p and U are read. With the default
+    coupling solidImplicit only their tolerance, relTol and maxIter count, and
+    the multigrid's entries (solidImplicit.H): whatever \c solver names, p is
+    solved by the multigrid and U by relaxation. There is one pressure equation
+    per step; \c nCorrectors and \c pFinal are not used: let relTol of p be 0.
+
 \*---------------------------------------------------------------------------*/
 
 #include "fvCFD.H"

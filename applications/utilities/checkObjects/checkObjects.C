@@ -68,6 +68,25 @@ static label checkFluid(const fvMesh& mesh, const scalar maxSpeed)
 }
 
 
+//- Warn of processor folders that hold later times than the case
+static void warnOfRanks(const Time& runTime)
+{
+    const fileName rank(runTime.globalPath()/"processor0");
+    if (!isDir(rank))
+    {
+        return;
+    }
+    const scalar latest = runTime.times().last().value();
+    const scalar latestOfRank = Time::findTimes(rank).last().value();
+    if (latestOfRank > latest)
+    {
+        WarningInFunction
+            << "The latest time here is " << latest << ", in processor0 "
+            << latestOfRank << ": run reconstructPar first" << nl << endl;
+    }
+}
+
+
 //- The options of this application
 static void addOptions()
 {
@@ -99,6 +118,7 @@ int main(int argc, char *argv[])
     #include "createTime.H"
     const instantList times = timeSelector::select0(runTime, args);
     #include "createNamedMesh.H"
+    warnOfRanks(runTime);
 
     fsi::historyCheck limits;
     limits.areaTolerance = args.opt<scalar>("areaTolerance", 1e-3);

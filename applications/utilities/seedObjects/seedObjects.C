@@ -109,7 +109,8 @@ int main(int argc, char *argv[])
             lattice.spacing(),
             lattice.thickness(),
             lattice.nDims(),
-            contactRange(runTime, lattice.spacing())
+            contactRange(runTime, lattice.spacing()),
+            lattice.period()
         },
         dict
     );

@@ -3,6 +3,7 @@
 #include "meanVelocityDriving.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "domainSides.H"
 #include "localIOdictionary.H"
 #include "writtenDictionary.H"
 
@@ -59,6 +60,18 @@ Foam::fsi::meanVelocityDriving::meanVelocityDriving
     acceleration_(0),
     mean_(GREAT)
 {
+    const vector period(domainSides(mesh).period());
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (mag(axis_[d]) > SMALL && !(period[d] > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'velocity' in dictionary " << dict.name() << " is "
+                << targetVelocity(dict) << " but the domain is not cyclic in"
+                << " direction " << label(d) << exit(FatalIOError);
+        }
+    }
+
     IOobject io
     (
         "fsiDrivingForce", mesh.time().timeName(), "uniform", mesh.time(),

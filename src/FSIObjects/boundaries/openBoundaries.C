@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "openBoundaries.H"
+#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 #include "localIOdictionary.H"
 #include "writtenDictionary.H"
@@ -120,6 +121,7 @@ Foam::fsi::openBoundaries::openBoundaries
 {
     const dictionary& dict = fsiProperties.subOrEmptyDict("boundaries");
     checkKeys(dict, {"feed"});
+    checkSubDicts(dict, {"feed"});
     const dictionary& feeds = dict.subOrEmptyDict("feed");
     for (const entry& e : feeds)
     {

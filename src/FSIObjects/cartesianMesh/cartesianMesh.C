@@ -36,6 +36,8 @@ void Foam::fsi::cartesianMesh::refuse
         << " and volume " << mesh_.V()[celli] << nl
         << "    All cells must be squares (2D, one cell thick in z) or cubes"
         << " (3D) of size " << spacing_ << "; use blockMesh without grading"
+        << nl << "    They must fill the whole box of the mesh; steps and"
+        << " obstacles are objects with motion { type fixed; }"
         << exit(FatalError);
 }
 

@@ -35,10 +35,17 @@ void Foam::fsi::domainSides::addPatch(const polyPatch& patch)
     const scalar tolerance = 1e-6*bounds_.mag();
     const label kind = kindOf(patch);
     FixedList<bool, 6> touches(false);
-    for (const point& p : patch.faceCentres())
+    forAll(patch, facei)
     {
+        const point& p = patch.faceCentres()[facei];
+        const vector& S = patch.faceAreas()[facei];
         for (direction d = 0; d < 3; ++d)
         {
+            // In a thin mesh all faces are near to the sides in z
+            if (mag(S[d]) < 0.5*mag(S))
+            {
+                continue;
+            }
             touches[2*d] =
                 touches[2*d] || mag(p[d] - bounds_.min()[d]) < tolerance;
             touches[2*d + 1] =

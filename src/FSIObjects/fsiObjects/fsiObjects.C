@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiObjects.H"
+#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 #include "objectContact.H"
 
@@ -21,6 +22,14 @@ static const dictionary& checked(const dictionary& dict)
             "fluidDensity", "gravity", "wall", "minWallDistance",
             "ddtPhiCoeff", "transposedStress", "levelSet", "coupling",
             "contact", "boundaries", "drivingForce", "output"
+        }
+    );
+    checkSubDicts
+    (
+        dict,
+        {
+            "levelSet", "coupling", "contact", "boundaries", "drivingForce",
+            "output"
         }
     );
     return dict;

@@ -46,6 +46,21 @@ Foam::fsi::fsiSystem::fsiSystem
             << "; run seedObjects on this mesh"
             << exit(FatalError);
     }
+    if (grid.nDims() == 2 && gravity.z() != 0)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'gravity' in dictionary " << dict.name() << " is "
+            << gravity << " but a mesh in x and y does not feel its part in z"
+            << exit(FatalIOError);
+    }
+    const word scheme(mesh.ddtScheme("ddt(U)"));
+    if (scheme == "steadyState")
+    {
+        FatalIOErrorInFunction(mesh.schemesDict())
+            << "Entry 'ddt(U)' or 'default' of ddtSchemes is steadyState, but"
+            << " objects move in time: take Euler"
+            << exit(FatalIOError);
+    }
     renew();
     contacts = std::make_unique<objectContact>(*this);
 }

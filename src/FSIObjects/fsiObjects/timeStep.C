@@ -25,7 +25,8 @@ Foam::fsi::timeStep::timeStep(Time& time)
         )
     ),
     maxDiffusion_(readNonNegative(time.controlDict(), "maxDiffusion", 0)),
-    level_(-1)
+    level_(-1),
+    warned_(false)
 {}
 
 
@@ -72,6 +73,15 @@ void Foam::fsi::timeStep::adjust
     const scalar solid = objects.courantNo();
     Info<< "Courant Number fluid: " << fluid << " objects: " << solid << endl;
 
+    if (!adjust_ && !warned_ && max(fluid, solid) > 2)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "At a Courant number above 2 the relaxation of U may diverge,"
+            << " up to a floating point exception." << nl
+            << "    Take a smaller deltaT, or adjustTimeStep yes with maxCo"
+            << nl << endl;
+    }
     if (adjust_)
     {
         scalar limit = maxCo_*dt/max(max(fluid, solid), SMALL);

@@ -89,6 +89,20 @@ void Foam::fsi::population::readGroups()
         groups_.append(new bodyGroup(shapes_.last(), motions_.last()));
         groups_.last().read(state);
     }
+
+    const IOobjectList states(time_, time_.timeName(), "uniform"/folder);
+    for (const word& name : states.sortedNames())
+    {
+        if (!files.found(name))
+        {
+            FatalErrorInFunction
+                << "There is no shape "
+                << time_.path()/time_.caseConstant()/folder/name
+                << " of the objects in " << states[name]->objectPath() << nl
+                << "Restore it, or run seedObjects"
+                << exit(FatalError);
+        }
+    }
 }
 
 

@@ -36,89 +36,7 @@ void Foam::fsi::packing::forCells
 }
 
 
-void Foam::fsi::packing::enter(const label objecti)
-{
-    forCells
-    (
-        outlines_[objecti].bounds(),
-        [&](const label celli)
-        {
-            cells_[celli].append(objecti);
-            return false;
-        }
-    );
-}
-
-
-void Foam::fsi::packing::takeOut(const label objecti)
-{
-    forCells
-    (
-        outlines_[objecti].bounds(),
-        [&](const label celli)
-        {
-            DynamicList<label>& cell = cells_[celli];
-            std::swap(cell[cell.find(objecti)], cell.last());
-            cell.remove();
-            return false;
-        }
-    );
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::fsi::packing::packing
-(
-    const boundBox& domain,
-    const scalar spacing,
-    const wordList& shapeNames,
-    const List<outline>& shapes
-)
-:
-    domain_(domain),
-    spacing_(spacing),
-    shapeNames_(shapeNames),
-    shapes_(shapes),
-    cellSize_(GREAT),
-    search_(0)
-{
-    // Cells about as large as the smallest shape, but not too many of them
-    for (const outline& s : shapes_)
-    {
-        cellSize_ = min(cellSize_, max(s.bounds().span().x(), 3*spacing_));
-    }
-    const scalar lx = domain_.span().x(), ly = domain_.span().y();
-    cellSize_ = min(max(cellSize_, sqrt(lx*ly/1e6)), max(lx, ly));
-    nx_ = label(lx/cellSize_) + 1;
-    ny_ = label(ly/cellSize_) + 1;
-    cells_.resize(nx_*ny_);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::string Foam::fsi::packing::description(const label objecti) const
-{
-    const placedObject& object = objects_[objecti];
-    OStringStream os;
-    os  << "object " << objecti << " (" << shapeNames_[object.shape].c_str()
-        << " of placement " << object.placement.c_str() << ", centre "
-        << object.centre << ')';
-    return os.str();
-}
-
-
-Foam::fsi::outline Foam::fsi::packing::placedOutline
-(
-    const placedObject& object
-) const
-{
-    return shapes_[object.shape].moved(object.rotation, object.centre);
-}
-
-
-Foam::label Foam::fsi::packing::findConflict
+Foam::label Foam::fsi::packing::findHere
 (
     const outline& candidate,
     const scalar gap,
@@ -156,6 +74,177 @@ Foam::label Foam::fsi::packing::findConflict
         }
     );
     return found;
+}
+
+
+void Foam::fsi::packing::enter(const label objecti)
+{
+    occupied_.add(outlines_[objecti].bounds());
+    forCells
+    (
+        outlines_[objecti].bounds(),
+        [&](const label celli)
+        {
+            cells_[celli].append(objecti);
+            return false;
+        }
+    );
+}
+
+
+void Foam::fsi::packing::takeOut(const label objecti)
+{
+    forCells
+    (
+        outlines_[objecti].bounds(),
+        [&](const label celli)
+        {
+            DynamicList<label>& cell = cells_[celli];
+            std::swap(cell[cell.find(objecti)], cell.last());
+            cell.remove();
+            return false;
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::packing::packing
+(
+    const boundBox& domain,
+    const scalar spacing,
+    const wordList& shapeNames,
+    const List<outline>& shapes,
+    const vector& period
+)
+:
+    domain_(domain),
+    spacing_(spacing),
+    shapeNames_(shapeNames),
+    shapes_(shapes),
+    period_(period),
+    shifts_(1, Zero),
+    cellSize_(GREAT),
+    search_(0)
+{
+    // Cells about as large as the smallest shape, but not too many of them
+    for (const outline& s : shapes_)
+    {
+        cellSize_ = min(cellSize_, max(s.bounds().span().x(), 3*spacing_));
+    }
+    const scalar lx = domain_.span().x(), ly = domain_.span().y();
+    cellSize_ = min(max(cellSize_, sqrt(lx*ly/1e6)), max(lx, ly));
+    nx_ = label(lx/cellSize_) + 1;
+    ny_ = label(ly/cellSize_) + 1;
+    cells_.resize(nx_*ny_);
+
+    for (direction d = 0; d < 2; ++d)
+    {
+        const label n = period_[d] > 0 ? shifts_.size() : 0;
+        for (label i = 0; i < n; ++i)
+        {
+            for (const scalar shift : {-period_[d], period_[d]})
+            {
+                shifts_.append(shifts_[i]);
+                shifts_.last()[d] = shift;
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::string Foam::fsi::packing::description(const label objecti) const
+{
+    const placedObject& object = objects_[objecti];
+    OStringStream os;
+    os  << "object " << objecti << " (" << shapeNames_[object.shape].c_str()
+        << " of placement " << object.placement.c_str() << ", centre "
+        << object.centre << ')';
+    return os.str();
+}
+
+
+Foam::fsi::outline Foam::fsi::packing::placedOutline
+(
+    const placedObject& object
+) const
+{
+    return shapes_[object.shape].moved(object.rotation, object.centre);
+}
+
+
+Foam::label Foam::fsi::packing::findConflict
+(
+    const outline& candidate,
+    const scalar gap,
+    const label except
+) const
+{
+    for (const vector& shift : shifts_)
+    {
+        const boundBox box
+        (
+            candidate.bounds().min() + shift,
+            candidate.bounds().max() + shift
+        );
+        label found = -1;
+        if (shift == vector::zero)
+        {
+            found = findHere(candidate, gap, except);
+        }
+        else if (outline::near(box, occupied_, gap))
+        {
+            found = findHere(candidate.moved(tensor::I, shift), gap, except);
+        }
+        if (found >= 0)
+        {
+            return found;
+        }
+    }
+    return -1;
+}
+
+
+Foam::scalar Foam::fsi::packing::distance
+(
+    const outline& candidate,
+    const label objecti
+) const
+{
+    scalar least = GREAT;
+    for (const vector& shift : shifts_)
+    {
+        const outline image(candidate.moved(tensor::I, shift));
+        least = min(least, image.distance(outlines_[objecti]));
+    }
+    return least;
+}
+
+
+bool Foam::fsi::packing::inDomain
+(
+    const point& centre,
+    const outline& candidate,
+    const scalar gap
+) const
+{
+    boundBox box(domain_);
+    for (direction d = 0; d < 2; ++d)
+    {
+        if (period_[d] > 0)
+        {
+            if (!(centre[d] >= box.min()[d] && centre[d] <= box.max()[d]))
+            {
+                return false;
+            }
+            box.min()[d] = -GREAT;
+            box.max()[d] = GREAT;
+        }
+    }
+    return inside(candidate, box, gap);
 }
 
 

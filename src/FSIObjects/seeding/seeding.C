@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "seeding.H"
+#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 #include "outlineTools.H"
 #include "placement.H"
+#include "shape.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -29,7 +31,10 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
     }
     space_.reset
     (
-        new packing(domain_.bounds, domain_.spacing, names, outlines)
+        new packing
+        (
+            domain_.bounds, domain_.spacing, names, outlines, domain_.period
+        )
     );
 }
 
@@ -44,6 +49,8 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
             "nodeSpacing", "minimumCells", "motion"
         }
     );
+    checkSubDicts(dict, {"shape", "material", "admm", "motion"});
+    checkArea(dict);
     const scalar nodeSpacing =
         readPositive(dict, "nodeSpacing", domain_.spacing);
 
@@ -70,6 +77,27 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
 }
 
 
+void Foam::fsi::seeding::checkArea(const dictionary& dict) const
+{
+    const scalar area = mag
+    (
+        outlineTools::area
+        (
+            shape::New(dict.subDict("shape"), domain_.nDims)->curve()
+        )
+    );
+    const vector span = domain_.bounds.span();
+    if (area > span.x()*span.y())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'shape' of dictionary " << dict.name()
+            << " describes an object of " << area
+            << " m2, which is more than that of the domain, "
+            << span.x()*span.y() << " m2" << exit(FatalIOError);
+    }
+}
+
+
 void Foam::fsi::seeding::checkThickness
 (
     const dictionary& dict,
@@ -85,7 +113,9 @@ void Foam::fsi::seeding::checkThickness
             << "Entry 'shape' of dictionary " << dict.name()
             << " describes an object that is " << thickness
             << " m thick at its thinnest, which is less than " << cells
-            << " cells, " << least << " m (entry 'minimumCells')"
+            << " cells, " << least << " m (entry 'minimumCells')" << nl
+            << "Take a finer mesh or a larger shape; a smaller minimumCells"
+            << " is at your own risk"
             << exit(FatalIOError);
     }
 }
@@ -125,7 +155,7 @@ void Foam::fsi::seeding::checkContacts() const
     if (nTouching)
     {
         const scalar gap =
-            space_->objectOutline(first).distance(space_->objectOutline(other));
+            space_->distance(space_->objectOutline(first), other);
         WarningInFunction
             << nTouching << " objects are nearer to another than the range of"
             << " contact, " << domain_.contactRange

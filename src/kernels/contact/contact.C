@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contact.H"
+#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 
 #include <algorithm>
@@ -54,6 +55,7 @@ static contactScales readScales
         dict,
         {"range", "margin", "minimumGap", "search", "law", "lubrication"}
     );
+    checkSubDicts(dict, {"search", "law", "lubrication"});
     const scalar range = contact::readRange(dict, spacing);
     return {spacing, range, youngsModulus, viscosity};
 }

@@ -26,6 +26,7 @@ static scalar checked
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' in dictionary " << dict.name()
             << " is " << value << " but must be " << condition
+            << (value < GREAT ? "" : " and < 1e15")
             << exit(FatalIOError);
     }
     return value;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shapeTemplate.H"
+#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 #include "elasticMaterial.H"
 #include "shape.H"
@@ -20,6 +21,7 @@ static const std::size_t nKeptFactors = 4;
 //- The sub-dictionary of the spring law; Hookean if there is none
 static autoPtr<springLaw> newLaw(const dictionary& material, const scalar E)
 {
+    checkSubDicts(material, {"springLaw"});
     if (material.found("springLaw"))
     {
         return springLaw::New(material.subDict("springLaw"), E);

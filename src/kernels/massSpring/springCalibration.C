@@ -71,7 +71,7 @@ Foam::scalarField Foam::fsi::springCalibration::calibrated
     // Poisson's ratio from 2 mu (1 + nu) = E, and the gains of the harmonics
     const scalar nu = 4/(3*factor) - 1;
     const scalar gain0 = sqr(1 - nu) + 0.5*sqr(1 + nu);
-    const scalar gain2 = min(gain0/(1 - sqr(nu)), scalar(4));
+    const scalar gain2 = min(gain0/max(1 - sqr(nu), SMALL), scalar(4));
     const scalar gain4 = 4*gain0/sqr(1 + nu);
 
     for (label iteration = 0; iteration < 30; ++iteration)

@@ -25,6 +25,45 @@ namespace fsi
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- False for an empty line and a heading
+static bool startsWithNumber(const std::string& line)
+{
+    const std::string::size_type i = line.find_first_not_of(" \t\r");
+    return i < line.size() && std::string("+-.0123456789").find(line[i])
+        != std::string::npos;
+}
+
+
+//- Move points to z = 0 and drop those that are equal to the one before
+static void withoutRepeats(pointField& points)
+{
+    label n = 0;
+    for (point& p : points)
+    {
+        p.z() = 0;
+        if (n == 0 || p != points[n - 1])
+        {
+            points[n++] = p;
+        }
+    }
+    if (n > 1 && points[0] == points[n - 1])
+    {
+        --n;
+    }
+    points.setSize(n);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::pointField Foam::fsi::polygon::readList
@@ -61,19 +100,29 @@ Foam::pointField Foam::fsi::polygon::readCsv
     std::string line;
     for (label lineNumber = 1; std::getline(is, line); ++lineNumber)
     {
-        std::istringstream values(line.substr(0, line.find("#")));
+        // Some programs begin a file with the mark of its byte order
+        if (lineNumber == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0)
+        {
+            line.erase(0, 3);
+        }
+        line = line.substr(0, line.find("#"));
+        std::istringstream values(line);
         scalar x, y;
         char comma;
         if (values >> x >> comma >> y && comma == ',')
         {
             points.append(point(x, y, 0));
         }
-        else if (points.size() && line.find_first_not_of(" \t\r") < line.size())
+        else if (points.size() || startsWithNumber(line))
         {
+            if (line.find_first_not_of(" \t\r") >= line.size())
+            {
+                continue;
+            }
             FatalIOErrorInFunction(dict)
                 << "Entry 'file' in dictionary " << dict.name()
                 << ": line " << lineNumber << " of " << file
-                << " is not a pair x, y" << exit(FatalIOError);
+                << " is not a pair x, y with a comma" << exit(FatalIOError);
         }
     }
     return pointField(std::move(points));
@@ -94,14 +143,7 @@ Foam::pointField Foam::fsi::polygon::read(const dictionary& dict)
     (
         file.hasExt("csv") ? readCsv(dict, file) : readList(dict, file)
     );
-    if (points.size() > 1 && points.first() == points.last())
-    {
-        points.setSize(points.size() - 1);
-    }
-    for (point& p : points)
-    {
-        p.z() = 0;
-    }
+    withoutRepeats(points);
     if (points.size() < 3 || !polygonPredicates::isSimple(points))
     {
         FatalIOErrorInFunction(dict)

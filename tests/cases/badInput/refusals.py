@@ -31,8 +31,12 @@ SEEDING = [
     ("unknown shape", {"shape": "type blob;"}, ("blob", "circle")),
     ("unknown spring law", {"law": "springLaw { type gum; }"},
      ("gum", "Hookean")),
+    ("spring law that is no dictionary", {"law": "springLaw Hookean;"},
+     ("springLaw", "must be a dictionary")),
     ("unknown motion", {"more": "motion { type jumping; }"},
      ("jumping", "oscillating")),
+    ("motion that is no dictionary", {"more": "motion fixed;"},
+     ("motion", "must be a dictionary")),
     ("unknown placement", {"type": "heap"}, ("heap", "listed")),
     ("obstacle outside the domain",
      {"objects": "{ centre (1.5 0.5 0); }", "more": "motion { type fixed; }"},
@@ -49,6 +53,10 @@ SEEDING = [
      ("nowhere.csv",)),
     ("unreadable polygon", {"shape": 'type polygon; file "bad.csv";'},
      ("bad.csv",)),
+    ("polygon without commas", {"shape": 'type polygon; file "spaces.csv";'},
+     ("spaces.csv", "line 1", "comma")),
+    ("object larger than the domain", {"shape": "type circle; radius 2;"},
+     ("shape", "disc", "that of the domain")),
     ("self-crossing polygon", {"shape": 'type polygon; file "crossed.csv";'},
      ("crossed.csv", "cross")),
 ]
@@ -69,6 +77,10 @@ PROPERTIES = [
     ("unknown wall", "wall brick;", ("wall", "brick", "openArea")),
     ("unknown coupling", "coupling { type tight; }",
      ("coupling", "tight", "solidImplicit")),
+    ("coupling that is no dictionary", "coupling weak;",
+     ("coupling", "must be a dictionary")),
+    ("contact law that is no dictionary", "contact { law elastic; }",
+     ("law", "must be a dictionary")),
     ("unknown load", "coupling { type weak; load cargo; }",
      ("load", "cargo", "wallForce")),
     ("unknown level set", "levelSet { type guessed; }",
@@ -79,6 +91,9 @@ PROPERTIES = [
      ("search", "luck", "surfaceCells")),
     ("unknown driving force", "drivingForce { type wind; }",
      ("drivingForce", "wind", "meanVelocity")),
+    ("mean velocity without cyclic patches",
+     "drivingForce { type meanVelocity; velocity (1 0 0); }",
+     ("velocity", "not cyclic")),
     ("feed at a patch that is not open",
      "boundaries { feed { top { shape disc; rate 1; } } }",
      ("top", "open patch", "left")),
@@ -93,6 +108,7 @@ PROPERTIES = [
     ("feed through too narrow a patch", "boundaries { feed { left { shape "
      "disc; rate 1; velocity (1 0 0); sideGap 0.41; } } }",
      ("sideGap", "never fits", "left")),
+    ("gravity in z", "gravity (0 0 -9.81);", ("gravity", "-9.81", "in z")),
     ("negative fluid density", "fluidDensity -1;", ("fluidDensity", "-1")),
 ]
 
@@ -130,7 +146,8 @@ def shapes(changes):
 def check_seeding(report, case):
     """What seedObjects refuses."""
     for name, content in (("bad.csv", "a,b\n0,zero\n"),
-                          ("crossed.csv", "0,0\n0.2,0.2\n0.2,0\n0,0.2\n")):
+                          ("crossed.csv", "0,0\n0.2,0.2\n0.2,0\n0,0.2\n"),
+                          ("spaces.csv", "0 0\n0.2 0\n0.2 0.2\n")):
         with open(os.path.join(case.path, name), "w",
                   encoding="ascii") as stream:
             stream.write(content)
@@ -170,6 +187,17 @@ def check_control(report, case):
         refused(report, f"time step {value}", case, "fsiPisoFoam",
                 ("FATAL IO ERROR", "controlDict", "deltaT"))
     case.control(deltaT=0.01)
+
+    schemes = os.path.join(case.path, "system/fvSchemes")
+    with open(schemes, "a", encoding="ascii") as stream:
+        stream.write("ddtSchemes { default steadyState; }\n")
+    refused(report, "steady state", case, "fsiPisoFoam",
+            ("FATAL IO ERROR", "fvSchemes", "steadyState", "Euler"))
+    case.write()
+
+    os.remove(os.path.join(case.path, "constant/fsiObjects/disc"))
+    refused(report, "missing shape", case, "fsiPisoFoam",
+            ("FATAL ERROR", "constant/fsiObjects/disc", "seedObjects"))
 
     case.values["grading"] = "2 1 1"
     case.write()

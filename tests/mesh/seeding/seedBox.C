@@ -40,12 +40,13 @@ tensor seedBox::rotation(const scalar degrees)
 }
 
 
-packing seedBox::emptyBox()
+packing seedBox::emptyBox(const vector& period)
 {
     return packing
     (
         boundBox(point(0, 0, 0), point(2, 1, 0.01)), 0.01,
-        {"disc", "cell"}, {ellipse(0.05, 0.05), ellipse(0.08, 0.025)}
+        {"disc", "cell"}, {ellipse(0.05, 0.05), ellipse(0.08, 0.025)},
+        period
     );
 }
 
@@ -58,9 +59,9 @@ void seedBox::place(packing& space, const std::string& text)
 }
 
 
-std::string seedBox::errorOf(const std::string& text)
+std::string seedBox::errorOf(const std::string& text, const vector& period)
 {
-    packing space(emptyBox());
+    packing space(emptyBox(period));
     return someObjects::errorText([&]() { place(space, text); });
 }
 

@@ -87,6 +87,59 @@ TEST(Placement, refusesObjectsOutsideTheDomain)
 }
 
 
+TEST(Placement, objectsMayLieAcrossCyclicSides)
+{
+    const vector period(2, 0, 0);
+    const auto listed = [](const std::string& objects)
+    {
+        return "type listed; shape disc; objects (" + objects + ");";
+    };
+    const std::string low = listed("{ centre (0.01 0.5 0); }");
+    EXPECT_EQ(errorOf(low, period), "");
+    EXPECT_NE(errorOf(low), "");
+    for (const char* centre : {"(-0.01 0.5 0)", "(2.01 0.5 0)", "(1 0.96 0)"})
+    {
+        expectPieces
+        (
+            errorOf
+            (
+                listed(std::string("{ centre ") + centre + "; }"), period
+            ),
+            {"object 0", "not in the domain"}
+        );
+    }
+
+    // Overlap and gaps with images
+    expectPieces
+    (
+        errorOf
+        (
+            listed("{ centre (0.01 0.5 0); } { centre (1.95 0.5 0); }"), period
+        ),
+        {"object 1", "overlaps object 0"}
+    );
+    expectPieces
+    (
+        errorOf
+        (
+            listed("{ centre (1.97 0.5 0); } { centre (0.09 0.5 0); }")
+          + "minimumGap 0.03;",
+            period
+        ),
+        {"object 1", "nearer than minimumGap to object 0", "distance 0.02"}
+    );
+    expectPieces
+    (
+        errorOf
+        (
+            listed("{ centre (0.01 0.01 0); } { centre (1.99 0.99 0); }"),
+            vector(2, 1, 0)
+        ),
+        {"object 1", "overlaps object 0"}
+    );
+}
+
+
 TEST(Placement, saysHowManyFit)
 {
     expectPieces
@@ -142,6 +195,10 @@ TEST(Placement, refusesWrongEntries)
     (
         errorOf("type lattice; shape disc; counts (0 1 1);"), {"'counts'"}
     );
+    expectPieces
+    (
+        errorOf("type lattice; shape disc; spacing (3 0.5 0);"), {"'spacing'"}
+    );
 }
 
 TEST(Placement, refusesLinesOfAFileByNumber)
@@ -158,6 +215,15 @@ TEST(Placement, refusesLinesOfAFileByNumber)
     (
         errorOf("type csv; shape disc; file \"" + file + "\";"),
         {"line 3", "north", "'file'", "seedObjectsDict"}
+    );
+    {
+        OFstream os(file);
+        os  << "x, y\n0.2, nan\n";
+    }
+    expectPieces
+    (
+        errorOf("type csv; shape disc; file \"" + file + "\";"),
+        {"line 2", "nan", "'file'", "seedObjectsDict"}
     );
     {
         OFstream os(file);

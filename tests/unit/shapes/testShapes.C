@@ -159,11 +159,10 @@ TEST(shape, minimumThicknessIsThatOfTheNeck)
 
 TEST(shape, polygonKeepsItsCornersAndIsTurnedRound)
 {
-    // Clockwise, closed twice, with a comment and a heading
-    const fileName csv
-    (
-        fileOf("square.csv", "# square\nx, y\n0,0\n0,1\n1.5,1\n1.5,0\n0,0\n")
-    );
+    // Clockwise, closed twice, a point repeated, with comments and a heading
+    const string start("\xef\xbb\xbf# square\nx, y\n0,0\n0,1\n# corner\n");
+    const string end("1.5,1\n1.5,1\n1.5,0\n\n0,0\n");
+    const fileName csv(fileOf("square.csv", start + end));
     const fileName list
     (
         fileOf("square.list", "4 ((0 0 0) (1.5 0 0) (1.5 1 0) (0 1 0))")

@@ -6,6 +6,8 @@
 #include "stringOps.H"
 #include "addToRunTimeSelectionTable.H"
 
+#include <sstream>
+
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -50,7 +52,9 @@ void Foam::fsi::csvPlacement::refuse
 {
     FatalIOErrorInFunction(dict())
         << "Entry 'file' of placement " << name() << ": " << file_.c_str()
-        << ", line " << line << ": " << reason.c_str()
+        << ", "
+        << (line ? "line " + Foam::name(line) + ": " : string()).c_str()
+        << reason.c_str()
         << exit(FatalIOError);
 }
 
@@ -89,8 +93,10 @@ Foam::scalar Foam::fsi::csvPlacement::number
     const label line
 ) const
 {
+    // OpenFOAM's readScalar ends in a floating point exception for nan
+    std::istringstream is(text);
     scalar value = 0;
-    if (!readScalar(text, value))
+    if (!(is >> value && is.eof()))
     {
         refuse(line, "not a number: " + text);
     }

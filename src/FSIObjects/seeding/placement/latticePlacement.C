@@ -58,6 +58,14 @@ void Foam::fsi::latticePlacement::readLattice()
             // Of a length that is a whole number of spacings nothing is lost
             counts_[d] = label(span[d]/spacing_[d]*(1 + SMALL) + SMALL);
         }
+        if (counts_[d] < 1)
+        {
+            FatalIOErrorInFunction(dict())
+                << "Entry 'spacing' in placement " << name() << " is "
+                << spacing_[d] << " m in direction " << label(d)
+                << " but its region is only " << span[d] << " m long"
+                << exit(FatalIOError);
+        }
     }
 }
 

@@ -20,7 +20,7 @@ void Foam::fsi::placement::insertAll
         const label other = space.findConflict(candidate, minimumGap_);
         const label objecti = space.insert(object);
 
-        if (!packing::inside(candidate, space.domain(), wallGap_))
+        if (!space.inDomain(object.centre, candidate, wallGap_))
         {
             refused.append
             (
@@ -31,7 +31,7 @@ void Foam::fsi::placement::insertAll
         }
         if (other >= 0)
         {
-            const scalar gap = candidate.distance(space.objectOutline(other));
+            const scalar gap = space.distance(candidate, other);
             refused.append
             (
                 space.description(objecti)
