@@ -36,6 +36,20 @@ void Foam::fsi::viscousCoupling::finish
 }
 
 
+//- Stop before the sweeps' numbers overflow
+static void checkConverges(const Foam::solverPerformance& result)
+{
+    if (!(result.finalResidual() < 1e30))
+    {
+        FatalErrorInFunction
+            << "The velocity's sweeps diverge: residual "
+            << result.finalResidual() << " after " << result.nIterations()
+            << ". Take a smaller deltaT (Courant number below 1) or"
+            << " adjustTimeStep with maxCo" << Foam::exit(Foam::FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::viscousCoupling::solve
@@ -73,6 +87,7 @@ void Foam::fsi::viscousCoupling::solve
         {
             result.initialResidual() = result.finalResidual();
         }
+        checkConverges(result);
         overRelax(boundary);
         moveWalls(boundary);
         relaxation_.observe(result.finalResidual());
