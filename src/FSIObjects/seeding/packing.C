@@ -146,8 +146,9 @@ Foam::fsi::packing::packing
         {
             for (const scalar shift : {-period_[d], period_[d]})
             {
-                shifts_.append(shifts_[i]);
-                shifts_.last()[d] = shift;
+                vector image(shifts_[i]);
+                image[d] = shift;
+                shifts_.append(image);
             }
         }
     }
