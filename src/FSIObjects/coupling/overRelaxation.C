@@ -17,12 +17,8 @@ Foam::scalar Foam::fsi::overRelaxation::better(const scalar rate) const
 
 void Foam::fsi::overRelaxation::start(const scalar smallest)
 {
-    const scalar gain = max(factor_ - smallest_, 0.0);
     smallest_ = smallest;
-    factor_ =
-        smallest < 1
-      ? smallest
-      : max(smallest, min(smallest + 0.97*gain, scalar(largest_)));
+    factor_ = smallest;
     residual_ = 0;
     sweeps_ = 0;
 }

@@ -106,10 +106,6 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
 
     transfer.toBlock(psi, 1, x_.data());
     transfer.toBlock(source, matrix_.sign(), r_.data());
-    if (!term || term->keepsLevel())
-    {
-        matrix_.removeLevel(r_);
-    }
     multiply(x_, Ap_, term);
     const scalar factor =
         matrix_.normFactor(Ap_, r_, total(sum(psi))/nMeshCells_);
@@ -125,6 +121,11 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
                 x_.data(), r_.data()
             )
         );
+    if (!term || term->keepsLevel())
+    {
+        // Of the source, and of the rounding errors of A x
+        matrix_.removeLevel(r_);
+    }
     result.initialResidual() = residual/factor;
     result.finalResidual() = result.initialResidual();
 
