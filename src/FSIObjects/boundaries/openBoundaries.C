@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "openBoundaries.H"
-#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 #include "localIOdictionary.H"
 #include "writtenDictionary.H"

@@ -44,13 +44,12 @@ void Foam::fsi::objectsConductance::addInterior
     forAll(factor, objecti)
     {
         const shapeTemplate& shape =
-            system_.objects.groups()[system_.objects.objectGroup(objecti)]
-           .shape();
-        const scalar volume = shape.mass()/shape.density()/grid.thickness();
+            system_.objects.shape(system_.objects.objectGroup(objecti));
+        const scalar size = pow(shape.referenceVolume(), 1.0/grid.nDims());
         const scalar reach =
             system_.deltaT()*std::sqrt(shape.youngsModulus()/shape.density());
         factor[objecti] =
-            max(pow(volume, 1.0/grid.nDims())/(2.5*h + reach), 1.0)
+            max(size/(2.5*h + reach), 1.0)
            *min(system_.fluidDensity/shape.density(), 1.0);
     }
     forAll(conductance, facei)

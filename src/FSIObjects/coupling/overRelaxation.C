@@ -29,7 +29,7 @@ void Foam::fsi::overRelaxation::observe(const scalar residual)
     if (residual_ <= 0 || sweeps_ < 0)
     {
         residual_ = residual;
-        ++sweeps_;
+        sweeps_ = min(sweeps_ + 1, label(0));
         return;
     }
     if (++sweeps_ < nSweeps_ || residual <= 0)

@@ -19,16 +19,73 @@ static Eigen::Vector2d inPlane(const vector& v)
 }
 
 
-//- Add the force on one object, whose nodes and faces are those from start to
-//  end in the surfaces' lists
-static void addTransposedForce
+//- Surface nodes' vectors t of all objects, see transposedModes
+static vectorField rotationModes(const fsiSystem& system)
+{
+    const surfaceSet& surfaces = system.objects.surfaces();
+    const pointField& x = surfaces.points();
+    const scalar viscosity =
+        system.fluidDensity*system.viscosity*system.grid.thickness();
+
+    vectorField modes(x.size());
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        const label start = surfaces.pointStart()[objecti];
+        const label n = surfaces.pointStart()[objecti + 1] - start;
+        const SubList<point> points(x, n, start);
+        const vector centre(sum(points)/n);
+        scalar second = 0;
+        for (const point& p : points)
+        {
+            second += sqr(p.x() - centre.x()) + sqr(p.y() - centre.y());
+        }
+        // A rotation omega has the torque -2 rho nu V omega
+        const scalar scale =
+            Foam::sqrt(2*viscosity*surfaces.volume(objecti))/second;
+        for (label i = start; i < start + n; ++i)
+        {
+            modes[i] =
+                scale*vector(centre.y() - x[i].y(), x[i].x() - centre.x(), 0);
+        }
+    }
+    return modes;
+}
+
+
+//- Add the force of the rotation nearest to v
+static void addRotationForce
+(
+    const fsiSystem& system,
+    const vectorField& v,
+    vectorField& force
+)
+{
+    const vectorField modes(rotationModes(system));
+    const labelList& start = system.objects.surfaces().pointStart();
+    for (label objecti = 0; objecti + 1 < start.size(); ++objecti)
+    {
+        scalar amount = 0;
+        for (label i = start[objecti]; i < start[objecti + 1]; ++i)
+        {
+            amount += modes[i] & v[i];
+        }
+        for (label i = start[objecti]; i < start[objecti + 1]; ++i)
+        {
+            force[i] -= amount*modes[i];
+        }
+    }
+}
+
+
+//- Add the force of the linear field nearest to v on one object, whose nodes
+//  and faces are those from start to end in the surfaces' lists
+static void addLinearForce
 (
     const vectorField& x,
     const vectorField& v,
     const SubList<surfaceFace>& faces,
     const labelPair& nodes,
     const scalar viscosity,
-    const bool rotationOnly,
     vectorField& force
 )
 {
@@ -39,7 +96,6 @@ static void addTransposedForce
         centre += inPlane(x[i])/n;
     }
 
-    // The rotation or linear velocity field nearest to that of the nodes
     tensor2D second = tensor2D::Zero();
     tensor2D moment = tensor2D::Zero();
     for (label i = nodes.first(); i < nodes.second(); ++i)
@@ -48,19 +104,12 @@ static void addTransposedForce
         second += arm*arm.transpose();
         moment += inPlane(v[i])*arm.transpose();
     }
-    tensor2D turn;
-    turn << 0, -1, 1, 0;
-    const auto linear = [&](const tensor2D& sum) -> tensor2D
-    {
-        if (rotationOnly)
-        {
-            return turn*((sum(1, 0) - sum(0, 1))/second.trace());
-        }
-        return sum*second.inverse();
-    };
-    const tensor2D gradient(linear(moment));
+    const tensor2D inverse(second.inverse());
+    const tensor2D gradient(moment*inverse);
 
     // First moment of its forces, as a linear field of nodal forces
+    tensor2D turn;
+    turn << 0, -1, 1, 0;
     tensor2D forces = tensor2D::Zero();
     for (const surfaceFace& face : faces)
     {
@@ -69,7 +118,7 @@ static void addTransposedForce
         forces +=
             viscosity*turn*gradient*(b - a)*(0.5*(a + b)).transpose();
     }
-    const tensor2D field(linear(forces));
+    const tensor2D field(forces*inverse);
     for (label i = nodes.first(); i < nodes.second(); ++i)
     {
         const Eigen::Vector2d f(field*(inPlane(x[i]) - centre));
@@ -90,39 +139,15 @@ void Foam::fsi::transposedModes
     fsiSystem::groupNodal& t
 )
 {
-    const surfaceSet& surfaces = system.objects.surfaces();
-    const pointField& x = surfaces.points();
-    const scalar viscosity =
-        system.fluidDensity*system.viscosity*system.grid.thickness();
-
-    vectorField modes(x.size(), Zero);
-    for
-    (
-        label objecti = 0;
-        system.transposedStress == fsiSystem::transposedPart::rotation
-     && objecti < system.objects.size();
-        ++objecti
-    )
+    if (system.transposedStress == fsiSystem::transposedPart::rotation)
     {
-        const label start = surfaces.pointStart()[objecti];
-        const label n = surfaces.pointStart()[objecti + 1] - start;
-        const SubList<point> points(x, n, start);
-        const vector centre(sum(points)/n);
-        scalar second = 0;
-        for (const point& p : points)
-        {
-            second += sqr(p.x() - centre.x()) + sqr(p.y() - centre.y());
-        }
-        // A rotation omega has the torque -2 rho nu V omega
-        const scalar scale =
-            Foam::sqrt(2*viscosity*surfaces.volume(objecti))/second;
-        for (label i = start; i < start + n; ++i)
-        {
-            modes[i] =
-                scale*vector(centre.y() - x[i].y(), x[i].x() - centre.x(), 0);
-        }
+        system.toBoundary(rotationModes(system), t);
     }
-    system.toBoundary(modes, t);
+    else
+    {
+        const label nNodes = system.objects.surfaces().points().size();
+        system.toBoundary(vectorField(nNodes, Zero), t);
+    }
 }
 
 
@@ -133,6 +158,11 @@ void Foam::fsi::addTransposedForce
     vectorField& force
 )
 {
+    if (system.transposedStress == fsiSystem::transposedPart::rotation)
+    {
+        addRotationForce(system, v, force);
+        return;
+    }
     const surfaceSet& surfaces = system.objects.surfaces();
     const scalar viscosity =
         system.fluidDensity*system.viscosity*system.grid.thickness();
@@ -150,7 +180,7 @@ void Foam::fsi::addTransposedForce
         {
             ++face;
         }
-        addTransposedForce
+        addLinearForce
         (
             surfaces.points(),
             v,
@@ -161,7 +191,6 @@ void Foam::fsi::addTransposedForce
                 surfaces.pointStart()[objecti + 1]
             ),
             viscosity,
-            system.transposedStress == fsiSystem::transposedPart::rotation,
             force
         );
     }

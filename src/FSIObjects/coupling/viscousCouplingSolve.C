@@ -4,6 +4,30 @@
 #include "sumOverRanks.H"
 #include "solverPerformance.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Stop before the sweeps' numbers overflow
+static void checkConverges(const solverPerformance& result)
+{
+    if (!(result.finalResidual() < 1e30))
+    {
+        FatalErrorInFunction
+            << "The velocity's sweeps diverge: residual "
+            << result.finalResidual() << " after " << result.nIterations()
+            << ". Take a smaller deltaT (Courant number below 1) or"
+            << " adjustTimeStep with maxCo" << exit(FatalError);
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::viscousCoupling::finish
@@ -32,20 +56,6 @@ void Foam::fsi::viscousCoupling::finish
                 velocity[groupi]
             );
         }
-    }
-}
-
-
-//- Stop before the sweeps' numbers overflow
-static void checkConverges(const Foam::solverPerformance& result)
-{
-    if (!(result.finalResidual() < 1e30))
-    {
-        FatalErrorInFunction
-            << "The velocity's sweeps diverge: residual "
-            << result.finalResidual() << " after " << result.nIterations()
-            << ". Take a smaller deltaT (Courant number below 1) or"
-            << " adjustTimeStep with maxCo" << Foam::exit(Foam::FatalError);
     }
 }
 

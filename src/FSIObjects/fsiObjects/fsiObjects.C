@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiObjects.H"
-#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 #include "objectContact.H"
 

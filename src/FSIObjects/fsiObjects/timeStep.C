@@ -77,8 +77,8 @@ void Foam::fsi::timeStep::adjust
     {
         warned_ = true;
         WarningInFunction
-            << "At a Courant number above 2 the relaxation of U may diverge,"
-            << " up to a floating point exception." << nl
+            << "At a Courant number above 2 the relaxation of U may diverge."
+            << nl
             << "    Take a smaller deltaT, or adjustTimeStep yes with maxCo"
             << nl << endl;
     }

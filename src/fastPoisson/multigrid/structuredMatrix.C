@@ -117,16 +117,11 @@ Foam::scalar Foam::fsi::structuredMatrix::normFactor
 ) const
 {
     scalar total = 0;
-    for (label r = 0; r < A_.ny*A_.nz; ++r)
+    forRows([&](const label place)
     {
-        const label row = A_.row(r);
-        for (label place = row; place < row + A_.nx; ++place)
-        {
-            const scalar reference = rowSum_[place]*average;
-            total +=
-                mag(Ax[place] - reference) + mag(source[place] - reference);
-        }
-    }
+        const scalar reference = rowSum_[place]*average;
+        total += mag(Ax[place] - reference) + mag(source[place] - reference);
+    });
     reduce(total, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
     return total + solverPerformance::small_;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contact.H"
-#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 
 #include <algorithm>

@@ -54,6 +54,21 @@ void Foam::fsi::checkKeys(const dictionary& dict, const wordList& known)
 }
 
 
+void Foam::fsi::checkSubDicts(const dictionary& dict, const wordList& keys)
+{
+    for (const word& key : keys)
+    {
+        if (dict.found(key) && !dict.isDict(key))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << key << "' in dictionary " << dict.name()
+                << " must be a dictionary: " << key << " { .. }"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 Foam::scalar Foam::fsi::readPositive
 (
     const dictionary& dict,

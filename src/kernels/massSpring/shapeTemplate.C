@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shapeTemplate.H"
-#include "checkSubDicts.H"
 #include "dictionaryCheck.H"
 #include "elasticMaterial.H"
 #include "shape.H"

@@ -26,7 +26,7 @@ SHIFTS = {"one seam": (0.5, 0), "both seams": (0.5, 21/48)}
 DISC = """
 disc
 {{
-    shape {{ type circle; radius 0.098; }}
+    shape {{ type circle; radius 0.1; }}
     material {{ density {}; E 100; }}
     motion {{ {} }}
 }}

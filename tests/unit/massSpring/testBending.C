@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "energyGradient.H"
 #include "membraneSamples.H"
 #include "mathematicalConstants.H"
 #include "vector2D.H"
@@ -173,26 +174,7 @@ TEST(bending, forceIsTheGradientOfTheEnergy)
         x(i, 0) += 2e-3*std::sin(1.7*i);
         x(i, 1) += 2e-3*std::cos(0.9*i*i);
     }
-
-    Eigen::MatrixXd force;
-    group->internalForce(force);
-    const scalar step = 1e-7;
-    for (label i = 0; i < shape->nBoundaryNodes(); ++i)
-    {
-        for (label j = 0; j < 2; ++j)
-        {
-            const scalar old = x(i, j);
-            x(i, j) = old + step;
-            const scalar up = group->elasticEnergy();
-            x(i, j) = old - step;
-            const scalar down = group->elasticEnergy();
-            x(i, j) = old;
-            EXPECT_NEAR
-            (
-                force(i, j), (down - up)/(2*step), 1e-6*force.norm()
-            );
-        }
-    }
+    expectGradientOfEnergy(*group, shape->nBoundaryNodes(), 1e-6);
 }
 
 
