@@ -25,6 +25,7 @@ void Foam::fsi::admmSolver::load(const state& s, const label copyi)
                 const label place = lanes*(2*row + i) + lane;
                 start_[place] = x[nodei];
                 change_[place] = deltaT_*v[nodei];
+                lessDrift_[place] = -change_[place];
                 inertial_[place] =
                     change_[place] + sqr(deltaT_)*f[nodei]/masses_[row];
             }

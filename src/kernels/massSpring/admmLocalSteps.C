@@ -10,10 +10,10 @@ namespace Foam
 namespace fsi
 {
 
-//- Deformation gradient of an element, row by row: the unit matrix plus the
-//  change of the edges times B, so that it is exact at rest
+//- Change of the edges of an element from E, times B, row by row: the
+//  deformation gradient less the unit matrix
 template<int lanes>
-static inline void deformation
+static inline void edgeGradient
 (
     const scalarField& start,
     const scalarField& change,
@@ -29,8 +29,8 @@ static inline void deformation
             difference<lanes>(start, change, rows[0], rows[1], i) - E[i];
         const laneArray<lanes> d2 =
             difference<lanes>(start, change, rows[0], rows[2], i) - E[2 + i];
-        F[2*i] = d1*B[0] + d2*B[2] + scalar(i == 0);
-        F[2*i + 1] = d1*B[1] + d2*B[3] + scalar(i == 1);
+        F[2*i] = d1*B[0] + d2*B[2];
+        F[2*i + 1] = d1*B[1] + d2*B[3];
     }
 }
 
@@ -131,6 +131,31 @@ void Foam::fsi::admmSolver::springStep()
 }
 
 
+template<int lanes>
+void Foam::fsi::admmSolver::addViscous
+(
+    const label elementi,
+    laneArray<lanes>* g
+) const
+{
+    static const scalar atRest[4] = {0, 0, 0, 0};
+    laneArray<lanes> rate[4];
+    edgeGradient<lanes>
+    (
+        lessDrift_,
+        change_,
+        &elementRows_[3*elementi],
+        atRest,
+        &shape_.elementTerm().inverseEdges()[4*elementi],
+        rate
+    );
+    for (int i = 0; i < 4; ++i)
+    {
+        g[i] -= viscousRatio_*rate[i];
+    }
+}
+
+
 template<int lanes, bool atStart>
 void Foam::fsi::admmSolver::elementStep()
 {
@@ -144,7 +169,9 @@ void Foam::fsi::admmSolver::elementStep()
         const scalar* B = &term.inverseEdges()[4*elementi];
 
         array toUnit[4];
-        deformation<lanes>(start_, change_, rows, E, B, toUnit);
+        edgeGradient<lanes>(start_, change_, rows, E, B, toUnit);
+        toUnit[0] += 1;
+        toUnit[3] += 1;
         const array shear0 = 0.5*shearRatio_*(toUnit[0] - toUnit[3]);
         const array shear1 = 0.5*shearRatio_*(toUnit[1] + toUnit[2]);
         if (!atStart)
@@ -176,6 +203,10 @@ void Foam::fsi::admmSolver::elementStep()
         g[1] -= shear1;
         g[2] -= shear1;
         g[3] += shear0;
+        if (!atStart && viscousRatio_ > 0)
+        {
+            addViscous<lanes>(elementi, g);
+        }
 
         spread<lanes>(elementWeights_[elementi], g, rows, B, residual_);
     }

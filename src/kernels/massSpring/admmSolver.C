@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "admmSolver.H"
+#include "elementViscosity.H"
 #include "error.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -57,6 +58,9 @@ void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
     shearRatio_ =
         2*shape_.shearModulus()
        /max(controls.areaWeight*shape_.areaStiffness(), VSMALL);
+    viscousRatio_ =
+        elementViscosity::boundRatio*shape_.viscosity()
+       /max(dt*controls.areaWeight*shape_.areaStiffness(), VSMALL);
     elementFraction_ = 1/(1 + controls.areaWeight);
 }
 
@@ -71,6 +75,7 @@ void Foam::fsi::admmSolver::resize(const label lanes)
     {
         start_.resize(nNodeValues);
         inertial_.resize(nNodeValues);
+        lessDrift_.resize(nNodeValues);
         change_.resize(nNodeValues);
         residual_.resize(nNodeValues);
         springDual_.resize(2*lanes*nSprings);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyGroup.H"
+#include "elementViscosity.H"
 #include "error.H"
 #include "innerFlow.H"
 
@@ -142,10 +143,12 @@ void Foam::fsi::bodyGroup::predict
     }
     else if (free())
     {
+        Eigen::MatrixXd total(force);
+        elementViscosity::addForce(shape_, positions_, velocities_, total);
         solver_.solve
         (
             dt,
-            {positions_, velocities_, force, springStates_},
+            {positions_, velocities_, total, springStates_},
             v
         );
     }

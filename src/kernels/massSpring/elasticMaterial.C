@@ -47,6 +47,23 @@ Foam::scalar Foam::fsi::elasticMaterial::shearModulus
 }
 
 
+Foam::scalar Foam::fsi::elasticMaterial::viscosity
+(
+    const dictionary& material,
+    const scalar kappa
+)
+{
+    const scalar viscosity = readNonNegative(material, "viscosity", 0);
+    if (viscosity > 0 && !(kappa > 0))
+    {
+        FatalIOErrorInFunction(material)
+            << "Entry 'viscosity' in dictionary " << material.name()
+            << " needs an areaStiffness above 0" << exit(FatalIOError);
+    }
+    return viscosity;
+}
+
+
 void Foam::fsi::elasticMaterial::check
 (
     const dictionary& dict,
@@ -58,7 +75,7 @@ void Foam::fsi::elasticMaterial::check
         checkKeys
         (
             dict.subDict("material"),
-            {"type", "density", "E", "areaStiffness", "nodeMass"}
+            {"type", "density", "E", "areaStiffness", "viscosity", "nodeMass"}
         );
     }
     else if (!membrane)
@@ -72,6 +89,7 @@ void Foam::fsi::elasticMaterial::check
                 "E",
                 "springLaw",
                 "areaStiffness",
+                "viscosity",
                 "calibration",
                 "nodeMass"
             }

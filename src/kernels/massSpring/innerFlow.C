@@ -17,25 +17,6 @@ static const scalar bulkRatio = 100;
 typedef Eigen::Ref<const Eigen::MatrixXd> constNodes;
 
 
-//- Area of a triangle and the gradients of its shape functions times twice the
-//  area: x and y of each node
-static scalar gradients
-(
-    const bodyElement& e,
-    const constNodes& x,
-    scalar g[3][2]
-)
-{
-    for (int i = 0; i < 3; ++i)
-    {
-        const label b = e[(i + 1) % 3], c = e[(i + 2) % 3];
-        g[i][0] = x(b, 1) - x(c, 1);
-        g[i][1] = x(c, 0) - x(b, 0);
-    }
-    return 0.5*(g[1][0]*g[2][1] - g[1][1]*g[2][0]);
-}
-
-
 //- The mean divergence around each node as a linear form of the velocities
 struct nodalDivergence
 {
@@ -116,6 +97,23 @@ static void addBulk
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::innerFlow::gradients
+(
+    const bodyElement& e,
+    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    scalar g[3][2]
+)
+{
+    for (int i = 0; i < 3; ++i)
+    {
+        const label b = e[(i + 1) % 3], c = e[(i + 2) % 3];
+        g[i][0] = x(b, 1) - x(c, 1);
+        g[i][1] = x(c, 0) - x(b, 0);
+    }
+    return 0.5*(g[1][0]*g[2][1] - g[1][1]*g[2][0]);
+}
+
 
 void Foam::fsi::innerFlow::addViscosity
 (

@@ -3,6 +3,7 @@
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
 #include "elasticMaterial.H"
+#include "elementViscosity.H"
 #include "shape.H"
 
 #include <algorithm>
@@ -102,7 +103,8 @@ Eigen::SparseMatrix<double> Foam::fsi::shapeTemplate::matrix
     volumeTerm_->addLaplacian
     (
         mesh_,
-        sqr(dt)*(admm_.areaWeight*areaStiffness_ + 2*shearModulus_),
+        sqr(dt)*(admm_.areaWeight*areaStiffness_ + 2*shearModulus_)
+      + dt*elementViscosity::boundRatio*viscosity_,
         entries
     );
 
@@ -183,6 +185,7 @@ Foam::fsi::shapeTemplate::shapeTemplate
             materialDict_, youngsModulus_, areaStiffness_
         )
     ),
+    viscosity_(elasticMaterial::viscosity(materialDict_, areaStiffness_)),
     law_(newLaw(materialDict_, youngsModulus_)),
     admm_(dict.subOrEmptyDict("admm")),
     mesh_(mesh),

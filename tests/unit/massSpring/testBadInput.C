@@ -125,6 +125,17 @@ TEST(badMaterial, isRefusedWithFileAndKey)
 }
 
 
+TEST(badMaterial, withBadViscosityIsRefused)
+{
+    expectError(errorOf(circle, rubber + "viscosity -1;", ""), {"viscosity"});
+    expectError
+    (
+        errorOf(circle, rubber + "viscosity 1; areaStiffness 0;", ""),
+        {"viscosity", "areaStiffness"}
+    );
+}
+
+
 TEST(badSolver, isRefusedWithFileAndKey)
 {
     expectError(errorOf(circle, rubber, "iterations 0;"), {"iterations"});
