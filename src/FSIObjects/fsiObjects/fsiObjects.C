@@ -19,8 +19,8 @@ static const dictionary& checked(const dictionary& dict)
         dict,
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
-            "ddtPhiCoeff", "transposedStress", "levelSet", "coupling",
-            "contact", "boundaries", "drivingForce", "output"
+            "ddtPhiCoeff", "convection", "transposedStress", "levelSet",
+            "coupling", "contact", "boundaries", "drivingForce", "output"
         }
     );
     checkSubDicts

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "dictionaryCheck.H"
 #include "levelSetUpdate.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -25,7 +26,12 @@ Foam::fsi::immersedFluid::immersedFluid
         geometry.grid().mesh(),
         dimensionedScalar(dimVelocity, Zero)
     ),
-    ddtPhiCoeff_(dict.lookupOrDefault<scalar>("ddtPhiCoeff", -1))
+    ddtPhiCoeff_(dict.lookupOrDefault<scalar>("ddtPhiCoeff", -1)),
+    wholeFace_
+    (
+        readChoice(dict, "convection", "wholeFace", {"wholeFace", "openPart"})
+     == "wholeFace"
+    )
 {}
 
 

@@ -84,7 +84,7 @@ void Foam::fsi::shapeTemplate::setMasses()
         (
             materialDict_,
             "nodeMass",
-            membrane_.valid() ? "area" : "uniform",
+            "area",
             {"uniform", "area"}
         )
     );

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFluid.H"
+#include "fvmDiv.H"
+#include "fvmSup.H"
+#include "fvcDiv.H"
+#include "surfaceInterpolate.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Value of a face of the mesh that is internal or on a coupled patch; false
+//  for other faces
+template<class Type>
+static bool coupledValue
+(
+    const GeometricField<Type, fvsPatchField, surfaceMesh>& field,
+    const label facei,
+    Type& value
+)
+{
+    const fvMesh& mesh = field.mesh();
+    if (facei < mesh.nInternalFaces())
+    {
+        value = field[facei];
+        return true;
+    }
+    const label patchi = mesh.boundaryMesh().whichPatch(facei);
+    const fvsPatchField<Type>& pf = field.boundaryField()[patchi];
+    if (!pf.coupled())
+    {
+        return false;
+    }
+    value = pf[facei - pf.patch().start()];
+    return true;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::wholeFlux
+(
+    const surfaceScalarField& phi,
+    const volVectorField& U,
+    const vectorField& wallVelocity
+) const
+{
+    const surfaceScalarField& open = geometry_.openArea();
+    const surfaceScalarField whole
+    (
+        faceVelocity(U, wallVelocity, nullptr)*U.mesh().magSf()
+    );
+    auto tflux = tmp<surfaceScalarField>::New("convectiveFlux", phi);
+    surfaceScalarField& flux = tflux.ref();
+    forAll(flux, facei)
+    {
+        if (open[facei] < 1)
+        {
+            flux[facei] = whole[facei];
+        }
+    }
+    forAll(flux.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
+        forAll(pf, i)
+        {
+            if (pf.coupled() && open.boundaryField()[patchi][i] < 1)
+            {
+                pf[i] = whole.boundaryField()[patchi][i];
+            }
+        }
+    }
+    return tflux;
+}
+
+
+Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::wallConvection
+(
+    const surfaceScalarField& flux,
+    const volVectorField& U,
+    const vectorField& wallVelocity
+) const
+{
+    const fvMesh& mesh = U.mesh();
+    const surfaceVectorField interpolated(fvc::interpolate(U, "linear"));
+    auto tsource = tmp<volVectorField>::New
+    (
+        IOobject("wallConvection", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedVector(dimAcceleration, Zero)
+    );
+    volVectorField& source = tsource.ref();
+    for (const wallLink& link : geometry_.wallLinks())
+    {
+        scalar out = 0;
+        vector linear(Zero);
+        if
+        (
+            coupledValue(flux, link.face, out)
+         && coupledValue(interpolated, link.face, linear)
+        )
+        {
+            if (link.cell != mesh.faceOwner()[link.face])
+            {
+                out = -out;
+            }
+            const scalar part = min(0.5/link.wallDistance, 1.0);
+            const vector& u = U[link.cell];
+            const vector onFace
+            (
+                u + part*(link.place.interpolate(wallVelocity) - u)
+            );
+            source[link.cell] -= out*(onFace - linear)/mesh.V()[link.cell];
+        }
+    }
+    return tsource;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedFluid::convection
+(
+    const surfaceScalarField& phi,
+    volVectorField& U,
+    const vectorField& wallVelocity
+) const
+{
+    if (!wholeFace_)
+    {
+        return fvm::div(phi, U) - fvm::Sp(fvc::div(phi), U);
+    }
+    const surfaceScalarField flux(wholeFlux(phi, U, wallVelocity));
+    return
+        fvm::div(flux, U, "div(phi,U)")
+      - fvm::Sp(fvc::div(flux), U)
+      - wallConvection(flux, U, wallVelocity);
+}
+
+
+// ************************************************************************* //
