@@ -11,9 +11,9 @@ Foam::wordList Foam::fsi::stepRecord::columns()
     ({
         "time", "deltaT", "objects", "contacts", "smallestGap",
         "kineticEnergy", "elasticEnergy", "contactEnergy", "areaChange",
-        "misfit", "rebuilds", "fluidSeconds", "levelSetSeconds",
-        "solidsSeconds", "contactSeconds", "couplingSeconds", "removed", "fed",
-        "maxSpeed"
+        "misfit", "rebuilds", "fluidSeconds", "pressureSeconds",
+        "levelSetSeconds", "solidsSeconds", "contactSeconds", "couplingSeconds",
+        "removed", "fed", "maxSpeed"
     });
 }
 

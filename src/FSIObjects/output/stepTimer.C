@@ -13,6 +13,7 @@ const Foam::Enum<Foam::fsi::stepTimer::part>
 Foam::fsi::stepTimer::partNames
 ({
     { part::fluid, "fluid" },
+    { part::pressure, "pressure" },
     { part::levelSet, "levelSet" },
     { part::solids, "solids" },
     { part::contact, "contact" },

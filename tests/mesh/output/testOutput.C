@@ -141,8 +141,14 @@ TEST(StepTimer, reportsAllParts)
     timer.endStep(0.1, 0.1, 1);
     OStringStream os;
     timer.report(os);
-    for (const char* name : {"fluid", "levelSet", "solids", "contact",
-        "coupling", "other", "all"})
+    for
+    (
+        const char* name :
+        {
+            "fluid", "pressure", "levelSet", "solids", "contact", "coupling",
+            "other", "all"
+        }
+    )
     {
         EXPECT_NE(os.str().find(name), std::string::npos) << name;
     }
@@ -227,8 +233,8 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
 
     const auto globalRows = readTable(folder/"global.csv");
     ASSERT_EQ(globalRows.size(), 1u + 3);
-    EXPECT_EQ(globalRows[0].size(), 19u);
-    EXPECT_EQ(globalRows[3].size(), 19u);
+    EXPECT_EQ(globalRows[0].size(), 20u);
+    EXPECT_EQ(globalRows[3].size(), 20u);
     EXPECT_EQ(globalRows[3][0], "1");
 
     const std::string series = readText(folder/"surfaces.vtp.series");
