@@ -189,11 +189,12 @@ def check_control(report, case):
     case.control(deltaT=0.01)
 
     schemes = os.path.join(case.path, "system/fvSchemes")
-    with open(schemes, "a", encoding="ascii") as stream:
-        stream.write("ddtSchemes { default steadyState; }\n")
-    refused(report, "steady state", case, "fsiPisoFoam",
-            ("FATAL IO ERROR", "fvSchemes", "steadyState", "Euler"))
-    case.write()
+    for scheme in ("steadyState", "backward"):
+        with open(schemes, "a", encoding="ascii") as stream:
+            stream.write(f"ddtSchemes {{ default {scheme}; }}\n")
+        refused(report, f"time scheme {scheme}", case, "fsiPisoFoam",
+                ("FATAL IO ERROR", "fvSchemes", scheme, "Euler"))
+        case.write()
 
     os.remove(os.path.join(case.path, "constant/fsiObjects/disc"))
     refused(report, "missing shape", case, "fsiPisoFoam",
