@@ -52,6 +52,16 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
     checkArea(dict);
     const scalar nodeSpacing =
         readPositive(dict, "nodeSpacing", domain_.spacing);
+    if (nodeSpacing < 0.65*domain_.spacing)
+    {
+        WarningInFunction
+            << "Nodes of shape " << dict.dictName() << " are " << nodeSpacing
+            << " m apart, cells " << domain_.spacing << " m: some nodes do not"
+            << " meet the fluid then, and soft bodies may become unstable"
+            << nl
+            << "    Let nodeSpacing be " << domain_.spacing/1.5 << " m or more"
+            << nl << endl;
+    }
 
     dictionary shapeDict(dict);
     shapeDict.remove("nodeSpacing");
