@@ -35,6 +35,13 @@ RUNS = ([(*r, 1) for r in itertools.product(RATIOS, STIFFNESS, DIFFUSION)]
                                                  DIFFUSION)])
 
 
+# Where bodies without viscosity crumple in 200 steps (strain above 1 in a fluid
+# 15 times as viscous as they are stiff), viscous ones must not: E, D, Courant
+# number, and a viscosity of a tenth of the fluid's
+VISCOUS = (10, 50, 0.1)
+VISCOUS_BODY = "viscosity 1.56;"
+
+
 # The coupling of the thesis on one of the runs, to show that the bounds tell
 UNSTABLE = (0.5, 1e6, 1, 1)
 
@@ -52,7 +59,7 @@ COUPLINGS = {
 
 
 def solve(folder, ratio, stiffness, diffusion, courant, coupling="",
-          steps=STEPS):
+          steps=STEPS, material=""):
     """Runs one case; the rows of global.csv and the CPU time."""
     h = 1/CELLS
     dt = courant*h/LID_SPEED
@@ -62,7 +69,7 @@ def solve(folder, ratio, stiffness, diffusion, courant, coupling="",
         walls={"top": f"({LID_SPEED} 0 0)"},
         properties=coupling,
         shapes=f"disc {{ shape {{ type circle; radius {RADIUS}; }} material"
-               f" {{ density {ratio}; E {stiffness}; }} }}",
+               f" {{ density {ratio}; E {stiffness}; {material} }} }}",
         placements="one { type listed; shape disc; objects ("
                    "{ centre (0.5 0.7 0); }); }",
         deltaT=dt, endTime=steps*dt, writeInterval=steps, timePrecision=12,
@@ -93,6 +100,16 @@ def stable(folder, run, coupling, steps):
     except RuntimeError:
         return False
     return bounded(rows, mass, steps)
+
+
+def check_viscous(report, folder):
+    """200 steps of viscous bodies."""
+    for ratio in RATIOS:
+        rows, mass, _ = solve(folder, ratio, *VISCOUS, "", TABLE_STEPS,
+                              VISCOUS_BODY)
+        report.check(f"viscous body, ratio {ratio}",
+                     bounded(rows, mass, TABLE_STEPS),
+                     f"speed up to {max(speed(r, mass) for r in rows):.3g}")
 
 
 def table(folder):
@@ -138,6 +155,7 @@ def main(folder):
         )
     print(f"    CPU time {total:.0f} s")
 
+    report.attempt("viscous bodies", lambda: check_viscous(report, folder))
     report.check("weak coupling is seen to be unstable",
                  not stable(folder, UNSTABLE, "coupling { type weak; }",
                             STEPS),
