@@ -25,7 +25,6 @@ void Foam::fsi::admmSolver::load(const state& s, const label copyi)
                 const label place = lanes*(2*row + i) + lane;
                 start_[place] = x[nodei];
                 change_[place] = deltaT_*v[nodei];
-                lessDrift_[place] = -change_[place];
                 inertial_[place] =
                     change_[place] + sqr(deltaT_)*f[nodei]/masses_[row];
             }
@@ -135,6 +134,13 @@ void Foam::fsi::admmSolver::solveBlock
     const scalar smallest = shape_.admm().tolerance*shape_.nodeSpacing();
 
     load<lanes>(s, copyi);
+    if (viscousRatio_ > 0)
+    {
+        forAll(lessDrift_, place)
+        {
+            lessDrift_[place] = -change_[place];
+        }
+    }
     setRestLengths<lanes>(s, copyi);
 
     label iteration = 0;

@@ -75,7 +75,7 @@ void Foam::fsi::admmSolver::resize(const label lanes)
     {
         start_.resize(nNodeValues);
         inertial_.resize(nNodeValues);
-        lessDrift_.resize(nNodeValues);
+        lessDrift_.resize(shape_.viscosity() > 0 ? nNodeValues : 0);
         change_.resize(nNodeValues);
         residual_.resize(nNodeValues);
         springDual_.resize(2*lanes*nSprings);

@@ -143,12 +143,17 @@ void Foam::fsi::bodyGroup::predict
     }
     else if (free())
     {
-        Eigen::MatrixXd total(force);
-        elementViscosity::addForce(shape_, positions_, velocities_, total);
+        const bool viscous = shape_.viscosity() > 0;
+        Eigen::MatrixXd total;
+        if (viscous)
+        {
+            total = force;
+            elementViscosity::addForce(shape_, positions_, velocities_, total);
+        }
         solver_.solve
         (
             dt,
-            {positions_, velocities_, total, springStates_},
+            {positions_, velocities_, viscous ? total : force, springStates_},
             v
         );
     }

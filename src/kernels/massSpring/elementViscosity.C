@@ -62,10 +62,6 @@ void Foam::fsi::elementViscosity::addForce
     Eigen::MatrixXd& force
 )
 {
-    if (!(shape.viscosity() > 0))
-    {
-        return;
-    }
     for (label column = 0; column < positions.cols(); column += 2)
     {
         addForceOfCopy

@@ -43,7 +43,7 @@ bool Foam::fsi::discTable(const label n, const label repeats)
             least = min(least, count);
             most = max(most, count);
         }
-        passed = passed && (!voxel || most - least <= 3);
+        passed = passed && most - least <= 3;
     }
     return passed;
 }

@@ -35,9 +35,9 @@ RUNS = ([(*r, 1) for r in itertools.product(RATIOS, STIFFNESS, DIFFUSION)]
                                                  DIFFUSION)])
 
 
-# Where bodies without viscosity crumple in 200 steps (strain above 1 in a fluid
-# 15 times as viscous as they are stiff), viscous ones must not: E, D, Courant
-# number, and a viscosity of a tenth of the fluid's
+# Where bodies without viscosity crumple in 200 steps (strain above 1, viscous
+# stress of the fluid ten times their modulus), viscous ones must not: E, D,
+# Courant number, and a viscosity of a tenth of the fluid's
 VISCOUS = (10, 50, 0.1)
 VISCOUS_BODY = "viscosity 1.56;"
 
