@@ -44,11 +44,11 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
     (
         dict,
         {
-            "shape", "material", "admm",
+            "shape", "mesh", "material", "admm",
             "nodeSpacing", "minimumCells", "motion"
         }
     );
-    checkSubDicts(dict, {"shape", "material", "admm", "motion"});
+    checkSubDicts(dict, {"shape", "mesh", "material", "admm", "motion"});
     checkArea(dict);
     const scalar nodeSpacing =
         readPositive(dict, "nodeSpacing", domain_.spacing);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "patchTest.H"
-#include "error.H"
+#include "ListOps.H"
 
 #include <Eigen/SparseCholesky>
 
@@ -137,41 +137,57 @@ static Eigen::SparseMatrix<double> supported
     return matrix;
 }
 
+
+//- Sums over the boundary of some elements. With the normal (nx, ny) of area,
+//  the columns are the nodal forces of the unit stresses xx, yy, xy; their
+//  transpose times displacements gives the strains, times volume.
+static Eigen::MatrixXd boundarySums
+(
+    const shapeMesh& mesh,
+    const labelList& elements,
+    const scalar thickness
+)
+{
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(2*mesh.points.size(), 3);
+    for (const label elementi : elements)
+    {
+        const bodyElement& e = mesh.elements[elementi];
+        for (label i = 0; i < 3; ++i)
+        {
+            // The sides that a node has in the element have the normal of
+            // half the opposite side
+            const vector d =
+                mesh.points[e[(i + 1) % 3]] - mesh.points[e[(i + 2) % 3]];
+            const scalar nx = 0.5*thickness*d.y(), ny = -0.5*thickness*d.x();
+            sums(2*e[i], 0) += nx;
+            sums(2*e[i] + 1, 1) += ny;
+            sums(2*e[i], 2) += ny;
+            sums(2*e[i] + 1, 2) += nx;
+        }
+    }
+    return sums;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Eigen::Matrix3d Foam::fsi::patchTest::compliance
+std::vector<Eigen::Matrix3d> Foam::fsi::patchTest::compliances
 (
     const shapeMesh& mesh,
     const edgeList& springs,
     const scalarField& springConstants,
     const volumeTerm& elementTerm,
-    const scalar thickness
+    const scalar thickness,
+    const labelListList& regions
 )
 {
-    const label nUnknowns = 2*mesh.points.size();
-    const scalar volume = sum(elementTerm.volumes());
-
-    // With the normal (nx, ny) of area, the columns are the nodal forces of
-    // the unit stresses xx, yy, xy; their transpose sums the mean strains
-    Eigen::MatrixXd forces = Eigen::MatrixXd::Zero(nUnknowns, 3);
-    for (const surfaceFace& face : mesh.faces)
-    {
-        const vector d = mesh.points[face[1]] - mesh.points[face[0]];
-        const scalar nx = 0.5*thickness*d.y(), ny = -0.5*thickness*d.x();
-        for (label i = 0; i < 2; ++i)
-        {
-            forces(2*face[i], 0) += nx;
-            forces(2*face[i] + 1, 1) += ny;
-            forces(2*face[i], 2) += ny;
-            forces(2*face[i] + 1, 2) += nx;
-        }
-    }
-
-    Eigen::MatrixXd loads(forces);
+    Eigen::MatrixXd loads
+    (
+        boundarySums(mesh, identity(mesh.elements.size()), thickness)
+    );
     for (const label unknown : support(mesh))
     {
         loads.row(unknown).setZero();
@@ -190,9 +206,20 @@ Eigen::Matrix3d Foam::fsi::patchTest::compliance
         FatalErrorInFunction
             << "The spring network is not rigid" << exit(FatalError);
     }
-
     const Eigen::MatrixXd displacements = solver.solve(loads);
-    return forces.transpose()*displacements/volume;
+
+    std::vector<Eigen::Matrix3d> result;
+    for (const labelList& region : regions)
+    {
+        const scalar volume =
+            sum(scalarField(elementTerm.volumes(), region));
+        result.push_back
+        (
+            boundarySums(mesh, region, thickness).transpose()*displacements
+           /volume
+        );
+    }
+    return result;
 }
 
 

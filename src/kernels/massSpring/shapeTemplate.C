@@ -68,7 +68,11 @@ static shapeMesh newMesh
     const direction nDims
 )
 {
-    return shape::New(dict.subDict("shape"), nDims)->mesh(nodeSpacing);
+    return shape::New(dict.subDict("shape"), nDims)->mesh
+    (
+        nodeSpacing,
+        meshGrading(dict.subOrEmptyDict("mesh"))
+    );
 }
 
 } // End namespace fsi
@@ -213,7 +217,7 @@ Foam::fsi::shapeTemplate::shapeTemplate
 
 Foam::wordList Foam::fsi::shapeTemplate::keys()
 {
-    return {"shape", "material", "admm"};
+    return {"shape", "mesh", "material", "admm"};
 }
 
 

@@ -2,8 +2,84 @@
 
 #include "springCalibration.H"
 #include "EdgeMap.H"
+#include "ListOps.H"
 #include "mathematicalConstants.H"
 #include "patchTest.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+namespace springCalibration
+{
+
+//- Elements of about the size at the boundary, and larger ones if they are
+//  more than a twentieth of the body
+static labelListList regions
+(
+    const shapeMesh& mesh,
+    const scalarField& volumes,
+    const scalar thickness
+)
+{
+    scalar side = 0;
+    for (const surfaceFace& face : mesh.faces)
+    {
+        side += mag(mesh.points[face[1]] - mesh.points[face[0]]);
+    }
+    side /= mesh.faces.size();
+    const scalar equilateral = 0.25*std::sqrt(3.0)*sqr(side)*thickness;
+
+    labelListList result(2);
+    scalar volume = 0;
+    forAll(volumes, elementi)
+    {
+        const bool large = volumes[elementi] > 1.5*equilateral;
+        result[large].append(elementi);
+        volume += large ? volumes[elementi] : 0;
+    }
+    if (volume <= 0.05*sum(volumes))
+    {
+        result = labelListList(1, identity(volumes.size()));
+    }
+    return result;
+}
+
+
+//- Region of each spring: the first that has an element at it
+static labelList regionsOfSprings
+(
+    const shapeMesh& mesh,
+    const edgeList& springs,
+    const labelListList& regions
+)
+{
+    EdgeMap<label> regionOf(2*springs.size());
+    forAllReverse(regions, regioni)
+    {
+        for (const label elementi : regions[regioni])
+        {
+            const bodyElement& e = mesh.elements[elementi];
+            for (label i = 0; i < 3; ++i)
+            {
+                regionOf.set(edge(e[i], e[(i + 1) % 3]), regioni);
+            }
+        }
+    }
+    labelList result(springs.size());
+    forAll(springs, springi)
+    {
+        result[springi] = regionOf[springs[springi]];
+    }
+    return result;
+}
+
+} // End namespace springCalibration
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -74,19 +150,19 @@ Foam::scalarField Foam::fsi::springCalibration::calibrated
     const scalar gain2 = min(gain0/max(1 - sqr(nu), SMALL), scalar(4));
     const scalar gain4 = 4*gain0/sqr(1 + nu);
 
+    const labelListList parts(regions(mesh, elementTerm.volumes(), thickness));
+    const labelList partOf(regionsOfSprings(mesh, springs, parts));
     for (label iteration = 0; iteration < 30; ++iteration)
     {
-        const Eigen::Matrix3d S
+        const auto compliances = patchTest::compliances
         (
-            patchTest::compliance
-            (
-                mesh, springs, constants, elementTerm, thickness
-            )
+            mesh, springs, constants, elementTerm, thickness, parts
         );
 
         scalar largest = 0;
         forAll(springs, springi)
         {
+            const Eigen::Matrix3d& S = compliances[partOf[springi]];
             const vector d = springs[springi].vec(mesh.points);
             const scalar angle = std::atan2(d.y(), d.x());
             const scalar at0 = patchTest::modulusInverse(S, angle);

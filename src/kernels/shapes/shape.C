@@ -87,9 +87,13 @@ Foam::pointField Foam::fsi::shape::outline(const scalar nodeSpacing) const
 }
 
 
-Foam::fsi::shapeMesh Foam::fsi::shape::mesh(const scalar nodeSpacing) const
+Foam::fsi::shapeMesh Foam::fsi::shape::mesh
+(
+    const scalar nodeSpacing,
+    const meshGrading& grading
+) const
 {
-    return triangulation::mesh(outline(nodeSpacing), nodeSpacing);
+    return triangulation::mesh(outline(nodeSpacing), nodeSpacing, grading);
 }
 
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "triangulation.H"
+#include "innerNodes.H"
 #include "outlineTools.H"
-#include "boundBox.H"
-#include "DynamicList.H"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -57,47 +56,6 @@ static faceMarks facesOutside(const delaunay& triangles)
 }
 
 
-
-//- Points of a triangular lattice inside the polygon, at least `clearance`
-//  from its sides. The shift is in parts of the lattice spacing.
-static pointField lattice
-(
-    const pointField& polygon,
-    const scalar size,
-    const scalar clearance,
-    const vector& shift
-)
-{
-    const boundBox box(polygon, false);
-    const scalar rowHeight = 0.5*std::sqrt(3.0)*size;
-    const label nRows = label(box.span().y()/rowHeight) + 2;
-    const label nColumns = label(box.span().x()/size) + 2;
-
-    DynamicList<point> points;
-    for (label j = -1; j < nRows; ++j)
-    {
-        for (label i = -1; i < nColumns; ++i)
-        {
-            const point p
-            (
-                box.min().x() + size*(i + shift.x() + 0.5*(j & 1)),
-                box.min().y() + rowHeight*(j + shift.y()),
-                0
-            );
-            if
-            (
-                outlineTools::contains(polygon, p)
-             && outlineTools::distance(polygon, p) > clearance
-            )
-            {
-                points.append(p);
-            }
-        }
-    }
-    return pointField(std::move(points));
-}
-
-
 //- Circumcentre of a triangle in the x-y plane
 static point circumcentre(const point& a, const point& b, const point& c)
 {
@@ -113,8 +71,10 @@ static point circumcentre(const point& a, const point& b, const point& c)
 
 
 //- Move the inner nodes to the average circumcentre of their triangles;
-//  the centroid takes its place in a triangle that does not contain it
-static void smooth(shapeMesh& mesh)
+//  the centroid takes its place in a triangle that does not contain it. The
+//  density of nodes is kept by weights of area over the third power of the
+//  wanted size.
+static void smooth(shapeMesh& mesh, const scalarField& sizes)
 {
     const scalarField volumes(mesh.elementVolumes());
     scalarField weights(mesh.points.size(), Zero);
@@ -132,10 +92,13 @@ static void smooth(shapeMesh& mesh)
         {
             centre = (corners[0] + corners[1] + corners[2])/3;
         }
+        const scalar weight =
+            volumes[elementi]
+           /pow3((sizes[e[0]] + sizes[e[1]] + sizes[e[2]])/3);
         for (label i = 0; i < 3; ++i)
         {
-            weights[e[i]] += volumes[elementi];
-            sums[e[i]] += volumes[elementi]*centre;
+            weights[e[i]] += weight;
+            sums[e[i]] += weight*centre;
         }
     }
     for (label i = mesh.nBoundary; i < mesh.points.size(); ++i)
@@ -149,18 +112,20 @@ static void smooth(shapeMesh& mesh)
 static shapeMesh smoothMesh
 (
     const pointField& polygon,
-    const pointField& inner
+    const innerNodes& inner
 )
 {
     shapeMesh result;
     result.points = polygon;
-    result.points.append(inner);
+    result.points.append(inner.points());
     result.nBoundary = polygon.size();
+    scalarField sizes(polygon.size(), 1);
+    sizes.append(inner.sizes());
     result.elements = triangulate(result.points, polygon);
 
     for (label sweep = 0; sweep < 20; ++sweep)
     {
-        smooth(result);
+        smooth(result, sizes);
         result.elements = triangulate(result.points, polygon);
     }
     return result;
@@ -227,7 +192,8 @@ Foam::List<Foam::fsi::bodyElement> Foam::fsi::triangulation::triangulate
 Foam::fsi::shapeMesh Foam::fsi::triangulation::mesh
 (
     const pointField& polygon,
-    const scalar size
+    const scalar size,
+    const meshGrading& grading
 )
 {
     shapeMesh best;
@@ -242,7 +208,7 @@ Foam::fsi::shapeMesh Foam::fsi::triangulation::mesh
                 smoothMesh
                 (
                     polygon,
-                    lattice(polygon, size, clearance*size, shift)
+                    innerNodes(polygon, size, grading, clearance*size, shift)
                 )
             );
             const scalar angle = trial.smallestAngle();

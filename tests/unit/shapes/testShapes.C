@@ -206,59 +206,6 @@ TEST(shape, polygonKeepsItsCornersAndIsTurnedRound)
 }
 
 
-TEST(triangulation, fillsTheOutlineWithGoodTriangles)
-{
-    for (const string& text : {circle, ellipse, star, biconcave})
-    {
-        const autoPtr<shape> body(shapeOf(text));
-        const scalar h = body->minimumThickness()/6;
-        const shapeMesh mesh(body->mesh(h));
-        const pointField outline(body->outline(h));
-
-        // The boundary nodes are the given ones, and no side is divided
-        ASSERT_EQ(mesh.nBoundary, outline.size());
-        ASSERT_EQ(mesh.faces.size(), outline.size());
-        forAll(outline, i)
-        {
-            EXPECT_EQ(mesh.points[i], outline[i]);
-            EXPECT_EQ(mesh.faces[i][0], i);
-            EXPECT_EQ(mesh.faces[i][1], outline.fcIndex(i));
-        }
-
-        const scalarField volumes(mesh.elementVolumes());
-        const scalar area = outlineTools::area(outline);
-        EXPECT_GT(min(volumes), 0.1*average(volumes)) << text;
-        EXPECT_NEAR(sum(volumes), area, 1e-12*area);
-        EXPECT_GT(mesh.smallestAngle(), 28) << text;
-
-        // Euler: nodes - edges + elements = 1 without holes or loose nodes
-        EXPECT_EQ
-        (
-            mesh.points.size() - mesh.edges().size() + mesh.elements.size(), 1
-        );
-    }
-}
-
-
-TEST(triangulation, straightSlantedSidesHaveNoFlatTriangles)
-{
-    // Nodes between corners are in line up to rounding, on either side of it
-    const fileName csv
-    (
-        fileOf("wedge.csv", "0.8,0\n2.2,0\n1.7,0.37\n1.4,0.37\n")
-    );
-    for (const scalar h : {0.06, 0.03, 0.02})
-    {
-        const string text("type polygon; file \"" + csv + "\";");
-        const shapeMesh mesh(shapeOf(text)->mesh(h));
-        const scalarField volumes(mesh.elementVolumes());
-        EXPECT_GT(min(volumes), 0.1*average(volumes)) << h;
-        EXPECT_NEAR(sum(volumes), 0.5*(1.4 + 0.3)*0.37, 1e-12);
-    }
-    rm(csv);
-}
-
-
 TEST(badShape, isRefusedWithFileAndKey)
 {
     expectError("type blob;", {"type", "blob", "circle", "polygon"});
