@@ -65,6 +65,24 @@ TEST(maskedWalls, iterationsHardlyDependOnTheNumberOfDiscs)
 }
 
 
+TEST(maskedWalls, aThousandDiscs)
+{
+    // Voxels: at most three iterations between 0, 100 and 1,024 discs on 640^2
+    // cells. Open areas, gaps of three cells with slivers at their sides, take
+    // up to ten; as many as discs of nine cells, above
+    label least = labelMax;
+    label most = 0;
+    for (const label nRow : {0, 10, 32})
+    {
+        const label n = iterations(640, nRow, true, "W");
+        least = min(least, n);
+        most = max(most, n);
+    }
+    EXPECT_LE(most - least, 3);
+    EXPECT_LE(iterations(640, 32, false, "W"), 12);
+}
+
+
 TEST(maskedWalls, VCycleToo)
 {
     for (const bool voxel : {true, false})
