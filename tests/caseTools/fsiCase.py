@@ -202,11 +202,15 @@ def copy(source, target):
 
 def tutorial(name, target, **control):
     """A copy of a tutorial with its mesh and objects, and with other entries
-    of controlDict."""
+    of controlDict. All digits of ascii files are written: the mesh has the
+    rounding errors of a binary one."""
     copy(os.path.join(os.path.dirname(__file__), "../../tutorials", name),
          target)
     for key, value in control.items():
         set_entry(os.path.join(target, "system/controlDict"), key, value)
+    with open(os.path.join(target, "system/controlDict"), "a",
+              encoding="ascii") as stream:
+        stream.write("writePrecision 17;\n")
     run(target, "blockMesh")
     run(target, "seedObjects")
     return target
