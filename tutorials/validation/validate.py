@@ -12,11 +12,13 @@ import time
 import cavity
 import cylinder
 import discs
+import lubrication
 import migration
 import softDisc
 
 CASES = {name: function
-         for module in (cavity, cylinder, discs, migration, softDisc)
+         for module in (cavity, cylinder, discs, lubrication, migration,
+                        softDisc)
          for name, function in module.CASES.items()}
 
 

@@ -17,6 +17,7 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)),
 import common  # noqa: E402
 import cylinder  # noqa: E402
 import discs  # noqa: E402
+import lubrication  # noqa: E402
 import softDisc  # noqa: E402
 
 # Drag and speed at 8 cells per diameter; the table asks for 2 % at 16. Immersed
@@ -46,6 +47,15 @@ def check_order(report, coarse, fine):
                  f"order {order:.2f}")
 
 
+def check_film(report, without, with_film):
+    """Lubrication replaces more than half of what the mesh lacks."""
+    errors = [abs(row.value - row.reference) for row in (without, with_film)]
+    print(f"    {with_film.what}: {with_film.value:.4g}, {without.value:.4g} "
+          f"without, exact {with_film.reference:.4g}")
+    report.check("lubrication in gaps below a cell", errors[1] < 0.5*errors[0],
+                 f"errors {errors}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -70,6 +80,9 @@ def main(folder):
 
     for row in rows(softDisc.taylor_green, 3)[2:]:
         check(report, row)
+    films = rows(lubrication.film, 2)
+    if films:
+        check_film(report, *films)
     for row in rows(discs.stokes, 1):
         check(report, row, COARSE)
     for row in rows(cylinder.translating, 1):
