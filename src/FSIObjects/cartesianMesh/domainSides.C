@@ -118,14 +118,22 @@ Foam::vector Foam::fsi::domainSides::period() const
 
 Foam::label Foam::fsi::domainSides::findPatch(const word& patch) const
 {
+    label found = -1;
     for (label sidei = 0; sidei < 6; ++sidei)
     {
         if (patches_[sidei].found(patch))
         {
-            return sidei;
+            if (found >= 0)
+            {
+                FatalErrorInFunction
+                    << "Patch " << patch << " is on several sides of the"
+                    << " domain; each needs a patch of its own"
+                    << exit(FatalError);
+            }
+            found = sidei;
         }
     }
-    return -1;
+    return found;
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viscousCoupling.H"
+#include "dictionaryCheck.H"
 #include "sumOverRanks.H"
 #include "solverPerformance.H"
 
@@ -72,7 +73,7 @@ void Foam::fsi::viscousCoupling::solve
 )
 {
     const dictionary& controls = U.mesh().solverDict(U.name());
-    const label maxIter = controls.lookupOrDefault<label>("maxIter", 1000);
+    const label maxIter = readAtLeast(controls, "maxIter", 1000, 1);
     solverPerformance result("fsiSOR", U.name());
 
     updateResponses(predicted);

@@ -32,7 +32,16 @@ Foam::fsi::immersedFluid::immersedFluid
         readChoice(dict, "convection", "wholeFace", {"wholeFace", "openPart"})
      == "wholeFace"
     )
-{}
+{
+    // Written so that NaN fails as well
+    if (!(ddtPhiCoeff_ == -1 || (ddtPhiCoeff_ >= 0 && ddtPhiCoeff_ <= 1)))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'ddtPhiCoeff' in dictionary " << dict.name() << " is "
+            << ddtPhiCoeff_ << " but must be -1 (OpenFOAM's own) or from 0 to 1"
+            << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

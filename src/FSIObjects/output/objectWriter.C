@@ -10,8 +10,8 @@
 
 Foam::fsi::objectWriter::objectWriter(const Time& time, const dictionary& dict)
 :
-    globalEvery_(dict.lookupOrDefault<label>("globalEvery", 1)),
-    objectsEvery_(dict.lookupOrDefault<label>("objectsEvery", 0)),
+    globalEvery_(readAtLeast(dict, "globalEvery", 1, 1)),
+    objectsEvery_(readAtLeast(dict, "objectsEvery", 0, 0)),
     nSteps_(0)
 {
     checkKeys
@@ -19,12 +19,6 @@ Foam::fsi::objectWriter::objectWriter(const Time& time, const dictionary& dict)
         dict,
         {"surfaces", "springs", "binary", "globalEvery", "objectsEvery"}
     );
-    if (globalEvery_ < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'globalEvery' in dictionary " << dict.name() << " is "
-            << globalEvery_ << " but must be >= 1" << exit(FatalIOError);
-    }
     if (!Pstream::master())
     {
         return;

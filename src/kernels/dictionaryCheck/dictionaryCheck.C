@@ -100,6 +100,25 @@ Foam::scalar Foam::fsi::readNonNegative
 }
 
 
+Foam::label Foam::fsi::readAtLeast
+(
+    const dictionary& dict,
+    const word& key,
+    const label defaultValue,
+    const label minimum
+)
+{
+    const label value = dict.lookupOrDefault<label>(key, defaultValue);
+    if (value < minimum)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name() << " is "
+            << value << " but must be >= " << minimum << exit(FatalIOError);
+    }
+    return value;
+}
+
+
 Foam::word Foam::fsi::readChoice
 (
     const dictionary& dict,

@@ -7,7 +7,7 @@
 
 Foam::fsi::admmControls::admmControls(const dictionary& dict)
 :
-    iterations(dict.lookupOrDefault<label>("iterations", 10)),
+    iterations(readAtLeast(dict, "iterations", 10, 1)),
     tolerance(readNonNegative(dict, "tolerance", 0)),
     springWeight(readPositive(dict, "springWeight", 1)),
     areaWeight(readPositive(dict, "areaWeight", 0.5)),
@@ -24,12 +24,6 @@ Foam::fsi::admmControls::admmControls(const dictionary& dict)
         dict,
         {"iterations", "tolerance", "springWeight", "areaWeight", "rotation"}
     );
-    if (iterations < 1)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'iterations' in dictionary " << dict.name() << " is "
-            << iterations << " but must be > 0" << exit(FatalIOError);
-    }
 }
 
 

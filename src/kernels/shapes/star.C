@@ -22,7 +22,7 @@ Foam::fsi::star::star(const dictionary& dict)
 :
     radius_(readPositive(dict, "radius")),
     amplitude_(readPositive(dict, "amplitude", 0.3)),
-    points_(dict.lookupOrDefault<label>("points", 5))
+    points_(readAtLeast(dict, "points", 5, 2))
 {
     checkKeys(dict, {"type", "radius", "amplitude", "points"});
     if (amplitude_ >= 1)
@@ -30,12 +30,6 @@ Foam::fsi::star::star(const dictionary& dict)
         FatalIOErrorInFunction(dict)
             << "Entry 'amplitude' in dictionary " << dict.name() << " is "
             << amplitude_ << " but must be < 1" << exit(FatalIOError);
-    }
-    if (points_ < 2)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'points' in dictionary " << dict.name() << " is "
-            << points_ << " but must be >= 2" << exit(FatalIOError);
     }
 }
 

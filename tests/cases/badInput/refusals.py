@@ -108,6 +108,10 @@ PROPERTIES = [
     ("feed through too narrow a patch", "boundaries { feed { left { shape "
      "disc; rate 1; velocity (1 0 0); sideGap 0.41; } } }",
      ("sideGap", "never fits", "left")),
+    ("part of a flux that is no part", "ddtPhiCoeff 2;",
+     ("ddtPhiCoeff", "0 to 1")),
+    ("objects written backwards", "output { objectsEvery -1; }",
+     ("objectsEvery", "-1", ">= 0")),
     ("gravity in z", "gravity (0 0 -9.81);", ("gravity", "-9.81", "in z")),
     ("negative fluid density", "fluidDensity -1;", ("fluidDensity", "-1")),
 ]
@@ -195,6 +199,13 @@ def check_control(report, case):
         refused(report, f"time scheme {scheme}", case, "fsiPisoFoam",
                 ("FATAL IO ERROR", "fvSchemes", scheme, "Euler"))
         case.write()
+
+    with open(os.path.join(case.path, "system/fvSolution"), "a",
+              encoding="ascii") as stream:
+        stream.write("solvers { p { solver PGC; } }\n")
+    refused(report, "unknown solver of the pressure", case, "fsiPisoFoam",
+            ("FATAL IO ERROR", "fvSolution", "PGC", "cartesianMG"))
+    case.write()
 
     os.remove(os.path.join(case.path, "constant/fsiObjects/disc"))
     refused(report, "missing shape", case, "fsiPisoFoam",

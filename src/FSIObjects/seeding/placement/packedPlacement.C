@@ -2,6 +2,7 @@
 
 #include "packedPlacement.H"
 #include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -181,7 +182,7 @@ Foam::fsi::packedPlacement::packedPlacement
     ),
     shape_(readShape(dict, space)),
     rotation_(rotation(dict.lookupOrDefault<scalar>("rotation", 0))),
-    sweeps_(dict.lookupOrDefault<label>("sweeps", 500))
+    sweeps_(readAtLeast(dict, "sweeps", 500, 0))
 {}
 
 

@@ -3,6 +3,7 @@
 #include "randomPlacement.H"
 #include "Switch.H"
 #include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -71,7 +72,7 @@ Foam::fsi::randomPlacement::randomPlacement
     shape_(readShape(dict, space)),
     randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", true)),
     rotation_(dict.lookupOrDefault<scalar>("rotation", 0)),
-    maxAttempts_(dict.lookupOrDefault<label>("maxAttempts", 10000))
+    maxAttempts_(readAtLeast(dict, "maxAttempts", 10000, 1))
 {}
 
 

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "solidImplicit.H"
+#include "dictionaryCheck.H"
+#include "FlatOutput.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Entries of the pressure in fvSolution. Fatal if its solver is unknown; the
+//  log says so if it is another than the one of this coupling.
+static const dictionary& checkedControls(const volScalarField& p)
+{
+    const dictionary& controls = p.mesh().solverDict(p.name());
+    const word solver(controls.get<word>("solver"));
+    const auto& known = *lduMatrix::solver::symMatrixConstructorTablePtr_;
+    if (!known.found(solver))
+    {
+        FatalIOErrorInFunction(controls)
+            << "Unknown choice '" << solver << "' of entry 'solver' in"
+            << " dictionary " << controls.name() << nl
+            << "Valid choices are " << flatOutput(known.sortedToc())
+            << exit(FatalIOError);
+    }
+    if (solver != "cartesianMG")
+    {
+        Info<< "Pressure equation: solved by cartesianMG with the objects'"
+            << " response; 'solver " << solver << "' of " << p.name()
+            << " is for coupling weak" << nl << endl;
+    }
+    return controls;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::solidImplicit::updateMultigrid
+(
+    const volScalarField& p,
+    fvScalarMatrix& pEqn
+)
+{
+    if (!multigrid_.valid())
+    {
+        multigrid_.reset
+        (
+            new cartesianMultigrid(p.mesh(), checkedControls(p))
+        );
+    }
+    const auto interfaces = p.boundaryField().scalarInterfaces();
+
+    // Cells inside the objects conduct in the cycle, not in the equation
+    fvScalarMatrix conducting(pEqn);
+    conductance_.addTo(conducting);
+    multigrid_->update(conducting, conducting.boundaryCoeffs(), interfaces);
+    multigrid_->updateProduct(pEqn, pEqn.boundaryCoeffs(), interfaces);
+}
+
+
+void Foam::fsi::solidImplicit::solveWithObjects
+(
+    volScalarField& p,
+    fvScalarMatrix& pEqn,
+    const scalarField& source
+)
+{
+    const boolList& active = system_.geometry.activeCell();
+    scalarField& diagonal = pEqn.diag();
+    scalarField b(source);
+    forAll(b, celli)
+    {
+        if (!active[celli])
+        {
+            b[celli] = 0;
+            diagonal[celli] = 0;
+        }
+    }
+
+    // Patches' parts of diagonal and source, as fvMatrix::solve adds them
+    forAll(p.boundaryField(), patchi)
+    {
+        const labelUList& cells = pEqn.lduAddr().patchAddr(patchi);
+        const bool coupled = p.boundaryField()[patchi].coupled();
+        for (label i = 0; i < cells.size(); ++i)
+        {
+            if (active[cells[i]])
+            {
+                diagonal[cells[i]] += pEqn.internalCoeffs()[patchi][i];
+                b[cells[i]] +=
+                    coupled ? 0 : pEqn.boundaryCoeffs()[patchi][i];
+            }
+        }
+    }
+    updateMultigrid(p, pEqn);
+
+    const dictionary& controls = p.mesh().solverDict(p.name());
+    cartesianMultigrid::loopControls loop;
+    loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
+    loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
+    loop.maxIter = readAtLeast(controls, "maxIter", 1000, 1);
+    multigrid_->solve
+    (
+        p.primitiveFieldRef(),
+        b,
+        p.name(),
+        loop,
+        &term_
+    ).print(Info.masterStream(p.mesh().comm()));
+
+    // Inside the objects nothing is solved for
+    forAll(active, celli)
+    {
+        if (!active[celli])
+        {
+            p[celli] = oldPressure_[celli];
+        }
+    }
+    p.correctBoundaryConditions();
+}
+
+
+// ************************************************************************* //
