@@ -13,22 +13,11 @@ void Foam::fsi::immersedFluid::addCoupledGradients
     scalarField& count
 ) const
 {
-    const fvMesh& mesh = gradient.mesh();
     const boolList& fluid = geometry_.fluidCell();
 
     // A neighbour across a coupled patch is fluid where it has a link, or
     // where the mask says so; the mask of the face is 0 for a solid cell here
-    volScalarField mask
-    (
-        IOobject("fluidMask", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedScalar(dimless, Zero)
-    );
-    forAll(fluid, celli)
-    {
-        mask[celli] = fluid[celli] ? 1 : 0;
-    }
-    mask.correctBoundaryConditions();
+    const volScalarField mask(geometry_.fluidMask());
     forAll(mask.boundaryField(), patchi)
     {
         const fvPatchScalarField& pm = mask.boundaryField()[patchi];

@@ -139,20 +139,8 @@ void Foam::fsi::interfaceGeometry::setFields(const levelSetUpdate& levelSet)
 {
     setSurfaceField(openArea_, openness_);
 
-    // Both cells fluid: the cell across a rank's boundary is judged by its
-    // owner, so the mask is exchanged as a cell field
-    volScalarField mask
-    (
-        IOobject("fluidMask", grid_.mesh().time().timeName(), grid_.mesh()),
-        grid_.mesh(),
-        dimensionedScalar(dimless, Zero)
-    );
-    forAll(fluidCell_, celli)
-    {
-        mask[celli] = fluidCell_[celli] ? 1 : 0;
-    }
-    mask.correctBoundaryConditions();
-
+    // Both cells fluid
+    const volScalarField mask(fluidMask());
     const labelUList& own = grid_.mesh().owner();
     const labelUList& nei = grid_.mesh().neighbour();
     forAll(own, facei)
@@ -222,6 +210,23 @@ void Foam::fsi::interfaceGeometry::update
     setWallFaces(levelSet, surfaces);
     setWallLinks(levelSet, surfaces);
     setOutsideWalls(levelSet, surfaces);
+}
+
+Foam::tmp<Foam::volScalarField> Foam::fsi::interfaceGeometry::fluidMask() const
+{
+    auto tmask = tmp<volScalarField>::New
+    (
+        IOobject("fluidMask", grid_.mesh().time().timeName(), grid_.mesh()),
+        grid_.mesh(),
+        dimensionedScalar(dimless, Zero)
+    );
+    volScalarField& mask = tmask.ref();
+    forAll(fluidCell_, celli)
+    {
+        mask[celli] = fluidCell_[celli] ? 1 : 0;
+    }
+    mask.correctBoundaryConditions();
+    return tmask;
 }
 
 
