@@ -48,14 +48,19 @@ Foam::pointField Foam::fsi::innerNodes::lattice
                 box.min().y() + rowHeight*(j + shift.y()),
                 0
             );
-            if (outlineTools::contains(polygon_, p))
+            const scalar distance = outlineTools::distance(polygon_, p);
+            const scalar depth =
+                outlineTools::contains(polygon_, p) ? distance : -distance;
+            if (depth > from && depth <= to)
             {
-                const scalar depth = outlineTools::distance(polygon_, p);
-                if (depth > from && depth <= to)
-                {
-                    points.append(p);
-                    found.append(depth);
-                }
+                points.append(p);
+                found.append(depth);
+            }
+            else
+            {
+                // No point of the row is wanted up to there
+                const scalar away = max(from - depth, depth - to);
+                i += max(label(away/size) - 1, 0);
             }
         }
     }
@@ -113,24 +118,29 @@ bool Foam::fsi::innerNodes::near(const point& p, const scalar distance) const
 
 void Foam::fsi::innerNodes::appendDeep(const vector& shift)
 {
-    scalarField depths;
-    const pointField candidates
-    (
-        lattice
-        (
-            0.5*spacing_,
-            shift,
-            grading_.evenDepth()*spacing_,
-            GREAT,
-            depths
-        )
-    );
-    for (const label i : sortedOrder(depths))
+    const vector span(boundBox(polygon_, false).span());
+    const scalar deepest = 0.5*min(span.x(), span.y())/spacing_;
+    for (scalar least = 1; grading_.depth(least) < deepest; least *= 2)
     {
-        const scalar size = grading_.size(depths[i]/spacing_);
-        if (!near(candidates[i], leastDistance*size*spacing_))
+        scalarField depths;
+        const pointField candidates
+        (
+            lattice
+            (
+                max(0.25*least, scalar(0.5))*spacing_,
+                shift,
+                grading_.depth(least)*spacing_,
+                grading_.depth(2*least)*spacing_,
+                depths
+            )
+        );
+        for (const label i : sortedOrder(depths))
         {
-            append(candidates[i], depths[i]);
+            const scalar size = grading_.size(depths[i]/spacing_);
+            if (!near(candidates[i], leastDistance*size*spacing_))
+            {
+                append(candidates[i], depths[i]);
+            }
         }
     }
 }
