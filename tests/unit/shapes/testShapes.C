@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "outlineTools.H"
-#include "shape.H"
-#include "IStringStream.H"
+#include "shapeOf.H"
 #include "IFstream.H"
 #include "mathematicalConstants.H"
 #include "OSspecific.H"
@@ -20,13 +19,6 @@ using namespace Foam::fsi;
 
 namespace
 {
-
-autoPtr<shape> shapeOf(const string& text)
-{
-    IStringStream is(text);
-    return shape::New(dictionary(is), 2);
-}
-
 
 //- Shapes that together use every type
 const string circle("type circle; radius 0.1;");

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "outlineTools.H"
-#include "shape.H"
-#include "IStringStream.H"
+#include "shapeOf.H"
 #include "OSspecific.H"
 
 #include <fstream>
@@ -15,13 +14,6 @@ using namespace Foam::fsi;
 
 namespace
 {
-
-autoPtr<shape> shapeOf(const string& text)
-{
-    IStringStream is(text);
-    return shape::New(dictionary(is), 2);
-}
-
 
 //- Grading given by its entries
 meshGrading gradingOf(const string& text)
