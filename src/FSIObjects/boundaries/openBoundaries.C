@@ -128,8 +128,8 @@ Foam::fsi::openBoundaries::openBoundaries
         {
             FatalIOErrorInFunction(feeds)
                 << "Entry '" << e.keyword() << "' in dictionary "
-                << feeds.name() << " must be the name of an open patch with"
-                << " a dictionary; open patches are "
+                << feeds.name() << " must be the name of an open patch on"
+                << " one side, with a dictionary; open patches are "
                 << flatOutput(sides.openPatches()) << exit(FatalIOError);
         }
         feeds_.append(new objectFeed(grid, sides, objects, e.dict()));

@@ -125,10 +125,7 @@ Foam::label Foam::fsi::domainSides::findPatch(const word& patch) const
         {
             if (found >= 0)
             {
-                FatalErrorInFunction
-                    << "Patch " << patch << " is on several sides of the"
-                    << " domain; each needs a patch of its own"
-                    << exit(FatalError);
+                return -1;
             }
             found = sidei;
         }

@@ -212,6 +212,7 @@ void Foam::fsi::interfaceGeometry::update
     setOutsideWalls(levelSet, surfaces);
 }
 
+
 Foam::tmp<Foam::volScalarField> Foam::fsi::interfaceGeometry::fluidMask() const
 {
     auto tmask = tmp<volScalarField>::New

@@ -116,7 +116,11 @@ bool Foam::fsi::innerNodes::near(const point& p, const scalar distance) const
 }
 
 
-void Foam::fsi::innerNodes::appendDeep(const vector& shift)
+void Foam::fsi::innerNodes::appendDeep
+(
+    const scalar clearance,
+    const vector& shift
+)
 {
     const vector span(boundBox(polygon_, false).span());
     const scalar deepest = 0.5*min(span.x(), span.y())/spacing_;
@@ -129,7 +133,7 @@ void Foam::fsi::innerNodes::appendDeep(const vector& shift)
             (
                 max(0.25*least, scalar(0.5))*spacing_,
                 shift,
-                grading_.depth(least)*spacing_,
+                max(grading_.depth(least)*spacing_, clearance),
                 grading_.depth(2*least)*spacing_,
                 depths
             )
@@ -174,7 +178,7 @@ Foam::fsi::innerNodes::innerNodes
     }
     if (even < GREAT)
     {
-        appendDeep(shift);
+        appendDeep(clearance, shift);
     }
 }
 

@@ -9,6 +9,7 @@ Each line of the tables is a name, what is wrong, and texts of the message.
 """
 
 import os
+import re
 import sys
 
 import fsiCase
@@ -219,6 +220,30 @@ def check_control(report, case):
                 ("FATAL ERROR", "polyMesh", "cell", "uniform Cartesian"))
 
 
+def check_sides(report, folder):
+    """A feed through a patch that is on two sides."""
+    case = fsiCase.Case(
+        os.path.join(folder, "sides"), cells=(32, 32), endTime=0.01,
+        open={"left": ("type zeroGradient;",
+                       "type fixedValue; value uniform 0;")},
+        properties="boundaries { feed { left { shape disc; rate 1; "
+                   "velocity (1 0 0); } } }\n", **shapes({}))
+    case.write()
+    path = os.path.join(case.path, "system/blockMeshDict")
+    with open(path, encoding="ascii") as stream:
+        text = stream.read()
+    right = re.search(r"right \{.*\n", text).group()
+    faces = fsiCase.FACES
+    text = text.replace(right, "").replace(
+        faces["left"], f"{faces['left']} {faces['right']}")
+    with open(path, "w", encoding="ascii") as stream:
+        stream.write(text)
+    case.run("blockMesh")
+    case.run("seedObjects")
+    refused(report, "feed at a patch on two sides", case, "fsiPisoFoam",
+            ("FATAL IO ERROR", "fsiProperties", "left", "one side"))
+
+
 def check_motion(report, folder):
     """An object that moves through the domain in a step."""
     changes = shapes({"type": "listed; velocity (100 0 0)"})
@@ -248,6 +273,7 @@ def main(folder):
         check_seeding(report, case)
         check_properties(report, case)
         check_control(report, case)
+    report.attempt("a patch on two sides", check_sides, report, folder)
     check_motion(report, folder)
 
 

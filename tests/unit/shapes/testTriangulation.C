@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "innerNodes.H"
 #include "outlineTools.H"
 #include "shapeOf.H"
 #include "OSspecific.H"
@@ -131,6 +132,23 @@ TEST(triangulation, deepNodesAreSparseAndTrianglesGood)
         small->mesh(1, even).points,
         small->mesh(1, gradingOf("")).points
     );
+}
+
+
+TEST(triangulation, innerNodesKeepOffTheSurface)
+{
+    const pointField outline(shapeOf("type circle; radius 12;")->outline(1));
+    for (const string text : {"growthRate 0;", "", "evenDepth 0;"})
+    {
+        const meshGrading grading(gradingOf(text));
+        const innerNodes inner(outline, 1, grading, 0.6, Zero);
+        ASSERT_GT(inner.points().size(), 0) << text;
+        for (const point& p : inner.points())
+        {
+            EXPECT_TRUE(outlineTools::contains(outline, p)) << text;
+            EXPECT_GT(outlineTools::distance(outline, p), 0.6) << text;
+        }
+    }
 }
 
 
