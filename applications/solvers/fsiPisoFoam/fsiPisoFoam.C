@@ -81,7 +81,8 @@ int main(int argc, char *argv[])
             (
                 phi,
                 U,
-                objects.coupling().wallVelocity()
+                objects.coupling().wallVelocity(),
+                nu.value()
             );
         }
         objects.finishStep(p, U);

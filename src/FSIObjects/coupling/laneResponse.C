@@ -53,7 +53,7 @@ void Foam::fsi::laneResponse::factorBlock
     {
         for (const copyLink& link : links[copyi])
         {
-            for (label i = 0; i < 3 && link.nodes[i] >= 0; ++i)
+            for (label i = 0; i < 4 && link.nodes[i] >= 0; ++i)
             {
                 for (label j = 0; j <= i; ++j)
                 {

@@ -29,7 +29,7 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
         {
             packed.append(scalar(objecti));
             packed.append(link.coefficient);
-            for (label i = 0; i < 3; ++i)
+            forAll(link.nodes, i)
             {
                 packed.append(scalar(link.nodes[i]));
                 packed.append(link.weights[i]);
@@ -43,11 +43,11 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
 
     for (const scalarList& values : ranks)
     {
-        for (label start = 0; start < values.size(); start += 8)
+        for (label start = 0; start < values.size(); start += 10)
         {
             copyLink link;
             link.coefficient = values[start + 1];
-            for (label i = 0; i < 3; ++i)
+            forAll(link.nodes, i)
             {
                 link.nodes[i] = label(round(values[start + 2 + 2*i]));
                 link.weights[i] = values[start + 3 + 2*i];
@@ -85,15 +85,19 @@ void Foam::fsi::viscousCoupling::updateResponses
     for (const wallLink& link : system_.geometry.wallLinks())
     {
         const label objecti = link.place.object;
-        copyLink c{link.place.nodes, link.place.weights, 0};
+        copyLink c;
         c.coefficient = viscosity*link.conductance;
-        for (label& nodei : c.nodes)
+        forAll(c.nodes, i)
         {
-            nodei = nodei < 0 ? -1 : nodei - start[objecti];
+            const bool used =
+                i < link.place.nodes.size() && link.place.nodes[i] >= 0;
+            c.nodes[i] = used ? link.place.nodes[i] - start[objecti] : -1;
+            c.weights[i] = used ? link.place.weights[i] : 0;
         }
         links[objecti].push_back(c);
     }
     gatherLinks(links);
+    addShortWaves(system_, links);
 
     fsiSystem::groupNodal turning;
     transposedModes(system_, turning);

@@ -43,6 +43,7 @@ void Foam::fsi::viscousCoupling::finish
     force = Zero;
     addLinkForce(system_, U, nodalVelocity_, force);
     sumOverRanks(force);
+    addShortWaveForce(system_, nodalVelocity_, force);
     addTransposedForce(system_, nodalVelocity_, force);
 
     velocity = predicted;

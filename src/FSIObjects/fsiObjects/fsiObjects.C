@@ -19,7 +19,8 @@ static const dictionary& checked(const dictionary& dict)
         dict,
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
-            "ddtPhiCoeff", "convection", "transposedStress", "levelSet",
+            "ddtPhiCoeff", "convection", "transposedStress", "shortWaveStress",
+            "levelSet",
             "coupling", "contact", "boundaries", "drivingForce", "output"
         }
     );

@@ -34,6 +34,7 @@ Foam::fsi::fsiSystem::fsiSystem
             {transposedPart::linear, "linear"}
         }).getOrDefault("transposedStress", dict, transposedPart::rotation)
     ),
+    shortWaveStress(readNonNegative(dict, "shortWaveStress", 1)),
     gravity(dict.lookupOrDefault<vector>("gravity", Zero)),
     images_(sides.images()),
     surfaces_(&objects.surfaces())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "mathematicalConstants.H"
 #include "syncTools.H"
 #include "surfaceInterpolate.H"
 
@@ -169,7 +170,8 @@ void Foam::fsi::immersedFluid::storeFaceVelocity
 (
     const surfaceScalarField& phi,
     const volVectorField& U,
-    const vectorField& wallVelocity
+    const vectorField& wallVelocity,
+    const scalar viscosity
 )
 {
     const surfaceScalarField interpolated
@@ -190,14 +192,20 @@ void Foam::fsi::immersedFluid::storeFaceVelocity
     boolList cutAcross;
     syncTools::swapBoundaryCellList(U.mesh(), cutCell, cutAcross);
 
+    // Next to walls the difference fades as the slowest shear flow between
+    // walls a cell apart does
+    const scalar fading =
+        sqr(constant::mathematical::pi/geometry_.grid().spacing())*viscosity;
+    const scalar kept = 1/(1 + fading*U.time().deltaTValue());
+
     const labelUList& own = U.mesh().owner();
     const labelUList& nei = U.mesh().neighbour();
-
     forAll(open, facei)
     {
+        const bool cut = cutCell[own[facei]] || cutCell[nei[facei]];
         faceHistory_[facei] =
-            open[facei] > 0 && !cutCell[own[facei]] && !cutCell[nei[facei]]
-          ? history
+            open[facei] > 0
+          ? (cut ? kept : 1)*history
             (
                 phi[facei]/(open[facei]*area[facei]),
                 interpolated[facei]
@@ -212,11 +220,10 @@ void Foam::fsi::immersedFluid::storeFaceVelocity
         const label first = po.patch().start() - U.mesh().nInternalFaces();
         forAll(po, i)
         {
-            const bool uncut =
-                po.coupled() && !cutCell[cells[i]] && !cutAcross[first + i];
+            const bool cut = cutCell[cells[i]] || cutAcross[first + i];
             ph[i] =
-                uncut && po[i] > 0
-              ? history
+                po.coupled() && po[i] > 0
+              ? (cut ? kept : 1)*history
                 (
                     phi.boundaryField()[patchi][i]
                    /(po[i]*area.boundaryField()[patchi][i]),

@@ -106,16 +106,24 @@ Eigen::SparseMatrix<double> Foam::fsi::admmFactor::withoutTiny
                 kept.emplace_back(i, j, a(i, j));
             }
         }
-        // Neighbours stay, however weak the spring between them is
-        typedef Eigen::SparseMatrix<double>::InnerIterator iterator;
-        for (iterator it(matrix_, j); it; ++it)
+    }
+
+    // Nodes up to three neighbours apart stay, however weak the springs
+    // between them are: others couple them besides (viscousResponse)
+    typedef Eigen::SparseMatrix<double> sparseMatrix;
+    const sparseMatrix next
+    (
+        matrix_.topLeftCorner(a.rows(), a.cols()).cwiseAbs()
+    );
+    const sparseMatrix near(next*next*next);
+    for (label j = 0; j < near.outerSize(); ++j)
+    {
+        for (sparseMatrix::InnerIterator it(near, j); it; ++it)
         {
-            if (it.row() < a.rows())
-            {
-                kept.emplace_back(it.row(), j, 0);
-            }
+            kept.emplace_back(it.row(), j, 0);
         }
     }
+
     Eigen::SparseMatrix<double> result(a.rows(), a.cols());
     result.setFromTriplets(kept.begin(), kept.end());
     return result;

@@ -59,27 +59,22 @@ static inline void spread
 }
 
 
-//- Local step of one component. From y = D x + u, or D x at the start, and
-//  p - y: u is renewed and z - u - D x is returned.
+//- Put a new dual variable u in the place of the old one. At the start u is
+//  (dV/dz)/w^2 and -u is returned, later it is y - z and z - u - D x is
 template<bool atStart, int lanes>
 static inline laneArray<lanes> updateDual
 (
-    const laneArray<lanes>& toProjection,
-    const scalar ratio,
-    const scalar fraction,
+    const laneArray<lanes>& dual,
     Eigen::Map<laneArray<lanes>> u
 )
 {
     if (atStart)
     {
-        u = -ratio*toProjection;
+        u = dual;
         return -u;
     }
-
-    // z - y; then u_new = y - z and z - u_new - D x = u + 2 (z - y)
-    const laneArray<lanes> dz = fraction*toProjection;
-    const laneArray<lanes> result = u + 2*dz;
-    u = -dz;
+    const laneArray<lanes> result = u - 2*dual;
+    u = dual;
     return result;
 }
 
@@ -109,18 +104,14 @@ void Foam::fsi::admmSolver::springStep()
             yy += uy;
         }
 
-        // (p - y)/y with p the projection onto the rest length
+        // u over y, which is D x at the start
         const array length = (yx*yx + yy*yy).sqrt().max(VSMALL);
-        const array toRest = at<lanes>(restLengths_, springi)/length - 1;
+        const array fromRest =
+            (1 - at<lanes>(restLengths_, springi)/length)
+           *(atStart ? springRatio_ : springFraction_);
 
-        const array gx = updateDual<atStart, lanes>
-        (
-            toRest*yx, springRatio_, springFraction_, ux
-        );
-        const array gy = updateDual<atStart, lanes>
-        (
-            toRest*yy, springRatio_, springFraction_, uy
-        );
+        const array gx = updateDual<atStart, lanes>(fromRest*yx, ux);
+        const array gy = updateDual<atStart, lanes>(fromRest*yy, uy);
 
         const scalar weight = springWeights_[springi];
         at<lanes>(residual_, 2*a) -= weight*gx;
@@ -168,34 +159,37 @@ void Foam::fsi::admmSolver::elementStep()
         const scalar* E = &term.edges()[4*elementi];
         const scalar* B = &term.inverseEdges()[4*elementi];
 
-        array toUnit[4];
-        edgeGradient<lanes>(start_, change_, rows, E, B, toUnit);
-        toUnit[0] += 1;
-        toUnit[3] += 1;
-        const array shear0 = 0.5*shearRatio_*(toUnit[0] - toUnit[3]);
-        const array shear1 = 0.5*shearRatio_*(toUnit[1] + toUnit[2]);
-        if (!atStart)
+        array F[4];
+        edgeGradient<lanes>(start_, change_, rows, E, B, F);
+        F[0] += 1;
+        F[3] += 1;
+        const array shear0 = 0.5*shearRatio_*(F[0] - F[3]);
+        const array shear1 = 0.5*shearRatio_*(F[1] + F[2]);
+        if (atStart)
+        {
+            volumeTerm::toGradient(F[0], F[1], F[2], F[3]);
+            for (array& part : F)
+            {
+                part /= shape_.admm().areaWeight;
+            }
+        }
+        else
         {
             for (int i = 0; i < 4; ++i)
             {
-                toUnit[i] += at<lanes>(elementDual_, 4*elementi + i);
+                F[i] += at<lanes>(elementDual_, 4*elementi + i);
             }
+            volumeTerm::toLocalStep
+            (
+                F[0], F[1], F[2], F[3], shape_.admm().areaWeight
+            );
         }
-        volumeTerm::toUnitDeterminant
-        (
-            toUnit[0], toUnit[1], toUnit[2], toUnit[3]
-        );
 
         array g[4];
         for (int i = 0; i < 4; ++i)
         {
-            g[i] = updateDual<atStart, lanes>
-            (
-                toUnit[i],
-                elementRatio_,
-                elementFraction_,
-                at<lanes>(elementDual_, 4*elementi + i)
-            );
+            auto u = at<lanes>(elementDual_, 4*elementi + i);
+            g[i] = updateDual<atStart, lanes>(F[i], u);
         }
 
         // F less its cofactors is twice the part of F that is not conformal

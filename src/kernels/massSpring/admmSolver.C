@@ -54,14 +54,12 @@ void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
     elementWeights_ =
         sqr(dt)*controls.areaWeight*shape_.areaStiffness()
        *shape_.elementTerm().volumes();
-    elementRatio_ = 1/controls.areaWeight;
     shearRatio_ =
         2*shape_.shearModulus()
        /max(controls.areaWeight*shape_.areaStiffness(), VSMALL);
     viscousRatio_ =
         elementViscosity::boundRatio*shape_.viscosity()
        /max(dt*controls.areaWeight*shape_.areaStiffness(), VSMALL);
-    elementFraction_ = 1/(1 + controls.areaWeight);
 }
 
 

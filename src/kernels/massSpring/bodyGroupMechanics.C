@@ -9,24 +9,20 @@ namespace Foam
 namespace fsi
 {
 
-//- P - F of an element of a copy, row by row; P is the nearest matrix of
-//  determinant 1 to the deformation gradient F. And the part of F that is not
-//  conformal, (c d; d -c)
-static FixedList<scalar, 4> toUnitDeterminant
+//- Deformation gradient F of an element of a copy, row by row
+static FixedList<scalar, 4> deformationGradient
 (
     const shapeTemplate& shape,
     const label elementi,
     const Eigen::MatrixXd& positions,
-    const label copyi,
-    scalar (&sheared)[2]
+    const label copyi
 )
 {
-    typedef Eigen::Array<double, 1, 1> array;
     const bodyElement& element = shape.elements()[elementi];
     const scalar* E = &shape.elementTerm().edges()[4*elementi];
     const scalar* B = &shape.elementTerm().inverseEdges()[4*elementi];
 
-    array F[4];
+    FixedList<scalar, 4> F;
     for (label i = 0; i < 2; ++i)
     {
         const auto x = positions.col(2*copyi + i);
@@ -35,16 +31,7 @@ static FixedList<scalar, 4> toUnitDeterminant
         F[2*i] = d1*B[0] + d2*B[2] + scalar(i == 0);
         F[2*i + 1] = d1*B[1] + d2*B[3] + scalar(i == 1);
     }
-    sheared[0] = 0.5*(F[0][0] - F[3][0]);
-    sheared[1] = 0.5*(F[1][0] + F[2][0]);
-    volumeTerm::toUnitDeterminant(F[0], F[1], F[2], F[3]);
-
-    FixedList<scalar, 4> result;
-    forAll(result, i)
-    {
-        result[i] = F[i][0];
-    }
-    return result;
+    return F;
 }
 
 } // End namespace fsi
@@ -110,28 +97,30 @@ void Foam::fsi::bodyGroup::addElementTerms
     const volumeTerm& term = shape_.elementTerm();
     forAll(shape_.elements(), elementi)
     {
-        scalar sheared[2];
-        FixedList<scalar, 4> pull
+        FixedList<scalar, 4> F
         (
-            toUnitDeterminant(shape_, elementi, positions_, copyi, sheared)
+            deformationGradient(shape_, elementi, positions_, copyi)
         );
         const scalar volume = term.volumes()[elementi];
+        const scalar stiffness = term.stiffness()*volume;
         const scalar shear = 2*shape_.shearModulus()*volume;
-        for (const scalar part : pull)
-        {
-            energy += 0.5*term.stiffness()*volume*sqr(part);
-        }
-        energy += shear*(sqr(sheared[0]) + sqr(sheared[1]));
+
+        // The part that is not conformal is (c d; d -c)
+        const scalar c = 0.5*(F[0] - F[3]);
+        const scalar d = 0.5*(F[1] + F[2]);
+        energy +=
+            0.25*stiffness*sqr(F[0]*F[3] - F[1]*F[2] - 1)
+          + shear*(sqr(c) + sqr(d));
         if (force)
         {
-            for (scalar& part : pull)
+            volumeTerm::toGradient(F[0], F[1], F[2], F[3]);
+            const scalar pull[4] =
             {
-                part *= term.stiffness()*volume;
-            }
-            pull[0] -= shear*sheared[0];
-            pull[1] -= shear*sheared[1];
-            pull[2] -= shear*sheared[1];
-            pull[3] += shear*sheared[0];
+                -stiffness*F[0] - shear*c,
+                -stiffness*F[1] - shear*d,
+                -stiffness*F[2] - shear*d,
+                -stiffness*F[3] + shear*c
+            };
             auto f = force->middleCols(2*copyi, 2);
             const bodyElement& element = shape_.elements()[elementi];
             const scalar* B = &term.inverseEdges()[4*elementi];

@@ -12,7 +12,9 @@ only source of motion, so the mean-square speed of the disc's nodes stays below
 the lid's at every step; the area within 0.1 %.
 """
 
+import cmath
 import itertools
+import math
 import os
 import sys
 
@@ -35,12 +37,14 @@ RUNS = ([(*r, 1) for r in itertools.product(RATIOS, STIFFNESS, DIFFUSION)]
                                                  DIFFUSION)])
 
 
-# Where bodies crumple in 200 steps (strain above 1, viscous stress of the fluid
-# ten times their modulus), those must not that are viscous, a tenth of the
-# fluid, or whose elements keep their area better, 100 E: E, D, Courant number
+# The softest bodies are drawn out to a strain above 1 in 200 steps and must not
+# crumple: E, D, Courant number
 SOFTEST = (10, 50, 0.1)
-REMEDIES = {"viscous body": "viscosity 1.56;",
-            "body with stiff areas": "areaStiffness 1000;"}
+
+# Turns that the tangent makes along the surface, there and back counted alike:
+# 1 of a convex body, below 2 of one with a tip and a hollow, above 4 of one
+# that wrinkles from node to node
+TURNS = 3
 
 
 # The coupling of the thesis on one of the runs, to show that the bounds tell
@@ -103,13 +107,28 @@ def stable(folder, run, coupling, steps):
     return bounded(rows, mass, steps)
 
 
-def check_remedies(report, folder):
+def turns(folder):
+    """Turns of the tangent along the disc's last outline."""
+    case = os.path.join(folder, "case")
+    points = results.outlines(case, results.times(case)[-1])[0]
+    steps = [complex(*b) - complex(*a)
+             for a, b in zip(points, points[1:] + points[:1])]
+    return sum(abs(cmath.phase(b/a))
+               for a, b in zip(steps, steps[1:] + steps[:1]))/(2*math.pi)
+
+
+def check_softest(report, folder):
     """200 steps of the softest bodies."""
-    for (name, entry), ratio in itertools.product(REMEDIES.items(), RATIOS):
-        rows, mass, _ = solve(folder, ratio, *SOFTEST, "", TABLE_STEPS, entry)
-        report.check(f"{name}, ratio {ratio}",
+    for ratio in RATIOS:
+        rows, mass, _ = solve(folder, ratio, *SOFTEST, "", TABLE_STEPS)
+        report.check(f"softest body, ratio {ratio}",
                      bounded(rows, mass, TABLE_STEPS),
                      f"speed up to {max(speed(r, mass) for r in rows):.3g}")
+        report.check(f"softest body, ratio {ratio}: smooth",
+                     turns(folder) < TURNS, f"{turns(folder):.3g} turns")
+    solve(folder, 1, *SOFTEST, "shortWaveStress 0;", TABLE_STEPS)
+    report.check("without resistance to short waves it wrinkles",
+                 turns(folder) > TURNS, f"{turns(folder):.3g} turns")
 
 
 def table(folder):
@@ -155,7 +174,7 @@ def main(folder):
         )
     print(f"    CPU time {total:.0f} s")
 
-    report.attempt("softest bodies", lambda: check_remedies(report, folder))
+    report.attempt("softest bodies", lambda: check_softest(report, folder))
     report.check("weak coupling is seen to be unstable",
                  not stable(folder, UNSTABLE, "coupling { type weak; }",
                             STEPS),
