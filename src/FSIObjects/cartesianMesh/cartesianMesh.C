@@ -163,6 +163,18 @@ void Foam::fsi::cartesianMesh::setFaceCorners()
 }
 
 
+void Foam::fsi::cartesianMesh::setFaceDirections()
+{
+    faceDirection_.setSize(mesh_.nFaces());
+    forAll(faceDirection_, facei)
+    {
+        const vector S(cmptMag(mesh_.faceAreas()[facei]));
+        faceDirection_[facei] =
+            S.x() > S.y() && S.x() > S.z() ? 0 : S.y() > S.z() ? 1 : 2;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
@@ -173,6 +185,7 @@ Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
     setSpacing();
     setIndices();
     setFaceCorners();
+    setFaceDirections();
 }
 
 
@@ -257,16 +270,6 @@ Foam::label Foam::fsi::cartesianMesh::findCell(const point& p) const
     }
     const cartesianBlock block(cells());
     return block.contains(ijk) ? cellAt_[block.index(ijk)] : -1;
-}
-
-
-Foam::direction Foam::fsi::cartesianMesh::faceDirection
-(
-    const label facei
-) const
-{
-    const vector S(cmptMag(mesh_.faceAreas()[facei]));
-    return S.x() > S.y() && S.x() > S.z() ? 0 : S.y() > S.z() ? 1 : 2;
 }
 
 

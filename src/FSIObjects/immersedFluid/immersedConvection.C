@@ -4,7 +4,6 @@
 #include "fvmDiv.H"
 #include "fvmSup.H"
 #include "fvcDiv.H"
-#include "surfaceInterpolate.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -13,30 +12,51 @@ namespace Foam
 namespace fsi
 {
 
-//- Value of a face of the mesh that is internal or on a coupled patch; false
-//  for other faces
-template<class Type>
-static bool coupledValue
+//- Flux through a face and the mean velocity of its two cells; false for
+//  faces that are neither internal nor on a coupled patch
+static bool faceValues
 (
-    const GeometricField<Type, fvsPatchField, surfaceMesh>& field,
+    const surfaceScalarField& flux,
+    const volVectorField& U,
+    const List<vectorField>& across,
     const label facei,
-    Type& value
+    scalar& out,
+    vector& mean
 )
 {
-    const fvMesh& mesh = field.mesh();
+    const fvMesh& mesh = U.mesh();
+    const vector& own = U[mesh.faceOwner()[facei]];
     if (facei < mesh.nInternalFaces())
     {
-        value = field[facei];
+        out = flux[facei];
+        mean = 0.5*(own + U[mesh.faceNeighbour()[facei]]);
         return true;
     }
     const label patchi = mesh.boundaryMesh().whichPatch(facei);
-    const fvsPatchField<Type>& pf = field.boundaryField()[patchi];
-    if (!pf.coupled())
+    const label i = facei - mesh.boundaryMesh()[patchi].start();
+    if (across[patchi].empty())
     {
         return false;
     }
-    value = pf[facei - pf.patch().start()];
+    out = flux.boundaryField()[patchi][i];
+    mean = 0.5*(own + across[patchi][i]);
     return true;
+}
+
+
+//- Values across the coupled patches; empty lists for others
+static List<vectorField> valuesAcross(const volVectorField& U)
+{
+    List<vectorField> across(U.boundaryField().size());
+    forAll(across, patchi)
+    {
+        const fvPatchVectorField& pU = U.boundaryField()[patchi];
+        if (pU.coupled())
+        {
+            across[patchi] = pU.patchNeighbourField();
+        }
+    }
+    return across;
 }
 
 } // End namespace fsi
@@ -89,7 +109,7 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::wallConvection
 ) const
 {
     const fvMesh& mesh = U.mesh();
-    const surfaceVectorField interpolated(fvc::interpolate(U, "linear"));
+    const List<vectorField> across(valuesAcross(U));
     auto tsource = tmp<volVectorField>::New
     (
         IOobject("wallConvection", mesh.time().timeName(), mesh),
@@ -101,11 +121,7 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::wallConvection
     {
         scalar out = 0;
         vector linear(Zero);
-        if
-        (
-            coupledValue(flux, link.face, out)
-         && coupledValue(interpolated, link.face, linear)
-        )
+        if (faceValues(flux, U, across, link.face, out, linear))
         {
             if (link.cell != mesh.faceOwner()[link.face])
             {

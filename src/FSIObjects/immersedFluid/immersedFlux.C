@@ -3,7 +3,6 @@
 #include "immersedFluid.H"
 #include "mathematicalConstants.H"
 #include "syncTools.H"
-#include "surfaceInterpolate.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -70,6 +69,44 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::cutFaceVelocity
 }
 
 
+Foam::tmp<Foam::surfaceScalarField>
+Foam::fsi::immersedFluid::interpolatedVelocity(const volVectorField& U) const
+{
+    const fvMesh& mesh = U.mesh();
+    const cartesianMesh& grid = geometry_.grid();
+    auto tvelocity = tmp<surfaceScalarField>::New
+    (
+        IOobject("faceVelocity", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar(dimVelocity, Zero)
+    );
+    surfaceScalarField& velocity = tvelocity.ref();
+    velocity.setOriented();
+
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(own, facei)
+    {
+        const direction d = grid.faceDirection(facei);
+        const scalar mean = 0.5*(U[own[facei]][d] + U[nei[facei]][d]);
+        velocity[facei] = mesh.Sf()[facei][d] > 0 ? mean : -mean;
+    }
+    forAll(velocity.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& pU = U.boundaryField()[patchi];
+        const vectorField onPatch
+        (
+            pU.coupled()
+          ? 0.5*(pU.patchInternalField() + pU.patchNeighbourField())
+          : tmp<vectorField>(pU)
+        );
+        velocity.boundaryFieldRef()[patchi] = onPatch & pU.patch().nf();
+    }
+
+    return tvelocity;
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceVelocity
 (
     const volVectorField& U,
@@ -81,18 +118,19 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceVelocity
     const scalarField cut(cutFaceVelocity(U, wallVelocity, increment));
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
 
-    // Patches that fix the velocity keep it
-    volVectorField sum("HbyA", U);
+    tmp<surfaceScalarField> tvelocity;
     if (increment)
     {
+        // Patches that fix the velocity keep it
+        volVectorField sum("HbyA", U);
         sum.primitiveFieldRef() += increment->primitiveField();
         sum.correctBoundaryConditions();
+        tvelocity = interpolatedVelocity(sum);
     }
-    auto tvelocity = tmp<surfaceScalarField>::New
-    (
-        "faceVelocity",
-        fvc::interpolate(sum) & mesh.Sf()/mesh.magSf()
-    );
+    else
+    {
+        tvelocity = interpolatedVelocity(U);
+    }
     surfaceScalarField& velocity = tvelocity.ref();
 
     const auto set = [&](const label facei, scalar& value)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
-#include "fvcSnGrad.H"
 #include "extrapolatedCalculatedFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -95,29 +94,21 @@ void Foam::fsi::immersedFluid::sumFaceGradients
 ) const
 {
     const fvMesh& mesh = p.mesh();
-    const surfaceScalarField snGrad(fvc::snGrad(p));
+    const cartesianMesh& grid = geometry_.grid();
     const surfaceScalarField& open = geometry_.openArea();
-
-    const auto add = [&]
-    (
-        const label celli,
-        const vector& normal,
-        const scalar w,
-        const scalar sn
-    )
-    {
-        const vector axis(cmptMag(normal));
-        sum[celli] += w*sn*normal;
-        weight[celli] += w*axis;
-    };
-
-    const surfaceVectorField nf(mesh.Sf()/mesh.magSf());
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
+    const scalar perSpacing = 1/grid.spacing();
     forAll(own, facei)
     {
-        add(own[facei], nf[facei], open[facei], snGrad[facei]);
-        add(nei[facei], nf[facei], open[facei], snGrad[facei]);
+        const direction d = grid.faceDirection(facei);
+        const scalar w = open[facei];
+        const scalar forwards = mesh.Sf()[facei][d] > 0 ? w : -w;
+        const scalar g = forwards*(p[nei[facei]] - p[own[facei]])*perSpacing;
+        sum[own[facei]][d] += g;
+        sum[nei[facei]][d] += g;
+        weight[own[facei]][d] += w;
+        weight[nei[facei]][d] += w;
     }
     forAll(p.boundaryField(), patchi)
     {
@@ -125,15 +116,22 @@ void Foam::fsi::immersedFluid::sumFaceGradients
         if (pp.coupled() || pp.fixesValue())
         {
             const labelUList& cells = pp.patch().faceCells();
+            const scalarField gradients
+            (
+                pp.coupled()
+              ? pp.snGrad(pp.patch().deltaCoeffs())
+              : pp.snGrad()
+            );
             forAll(cells, i)
             {
-                add
-                (
-                    cells[i],
-                    nf.boundaryField()[patchi][i],
-                    open.boundaryField()[patchi][i],
-                    snGrad.boundaryField()[patchi][i]
-                );
+                const direction d =
+                    grid.faceDirection(pp.patch().start() + i);
+                const scalar w = open.boundaryField()[patchi][i];
+                sum[cells[i]][d] +=
+                    pp.patch().Sf()[i][d] > 0
+                  ? w*gradients[i]
+                  : -w*gradients[i];
+                weight[cells[i]][d] += w;
             }
         }
     }
@@ -160,17 +158,12 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
     vectorField weight(mesh.nCells(), Zero);
     sumFaceGradients(p, gradient.primitiveFieldRef(), weight);
 
-    // Normals have a rounding error in the direction that is not solved
     const direction nDims = geometry_.grid().nDims();
     forAll(gradient, celli)
     {
         for (direction d = 0; d < nDims; ++d)
         {
             gradient[celli][d] /= max(weight[celli][d], SMALL);
-        }
-        for (direction d = nDims; d < 3; ++d)
-        {
-            gradient[celli][d] = 0;
         }
     }
     gradient.correctBoundaryConditions();
