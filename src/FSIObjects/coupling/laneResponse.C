@@ -53,7 +53,8 @@ void Foam::fsi::laneResponse::factorBlock
     {
         for (const copyLink& link : links[copyi])
         {
-            for (label i = 0; i < 4 && link.nodes[i] >= 0; ++i)
+            const label n = link.nNodes();
+            for (label i = 0; i < n; ++i)
             {
                 for (label j = 0; j <= i; ++j)
                 {

@@ -45,9 +45,10 @@ void Foam::fsi::sparseResponse::factorCopy
     sparseMatrix B(group_.response().matrix().matrix(copyi)/deltaT_);
     for (const copyLink& link : links)
     {
-        for (label i = 0; i < 4 && link.nodes[i] >= 0; ++i)
+        const label n = link.nNodes();
+        for (label i = 0; i < n; ++i)
         {
-            for (label j = 0; j < 4 && link.nodes[j] >= 0; ++j)
+            for (label j = 0; j < n; ++j)
             {
                 for (label first = 0; first < B.rows(); first += nNodes)
                 {

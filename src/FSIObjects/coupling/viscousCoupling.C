@@ -41,9 +41,10 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
     Pstream::gatherList(ranks);
     Pstream::scatterList(ranks);
 
+    const label width = 2 + 2*copyLink().nodes.size();
     for (const scalarList& values : ranks)
     {
-        for (label start = 0; start < values.size(); start += 10)
+        for (label start = 0; start < values.size(); start += width)
         {
             copyLink link;
             link.coefficient = values[start + 1];
