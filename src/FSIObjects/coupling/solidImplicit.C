@@ -5,6 +5,7 @@
 #include "dictionaryCheck.H"
 #include "fvmLaplacian.H"
 #include "fvcDiv.H"
+#include "narrowCells.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -112,10 +113,16 @@ void Foam::fsi::solidImplicit::begin
     const scalar dt = system_.deltaT();
     const scalar time = p.time().value() - dt;
 
-    oldPressure_ = p.primitiveField();
-    gradient_ = system_.fluid.openGradient(p);
-    system_.walls.gradientForce(gradient_(), gradientForce_);
+    system_.walls.gradientForce
+    (
+        system_.fluid.openGradient(p)(), gradientForce_
+    );
     gradientForce_ *= system_.fluidDensity;
+
+    volScalarField last("last", p);
+    fillNarrowCells(system_.geometry, last);
+    oldPressure_ = last.primitiveField();
+    gradient_ = system_.fluid.openGradient(last);
     system_.fluid.extendGradient(gradient_.ref());
 
     vectorField nodal;
