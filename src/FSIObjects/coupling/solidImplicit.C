@@ -3,9 +3,9 @@
 #include "solidImplicit.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "filmPressure.H"
 #include "fvmLaplacian.H"
 #include "fvcDiv.H"
-#include "narrowCells.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -113,16 +113,12 @@ void Foam::fsi::solidImplicit::begin
     const scalar dt = system_.deltaT();
     const scalar time = p.time().value() - dt;
 
-    system_.walls.gradientForce
-    (
-        system_.fluid.openGradient(p)(), gradientForce_
-    );
-    gradientForce_ *= system_.fluidDensity;
-
     volScalarField last("last", p);
-    fillNarrowCells(system_.geometry, last);
+    fillFilmCells(system_.geometry, last);
     oldPressure_ = last.primitiveField();
     gradient_ = system_.fluid.openGradient(last);
+    system_.walls.gradientForce(gradient_(), gradientForce_);
+    gradientForce_ *= system_.fluidDensity;
     system_.fluid.extendGradient(gradient_.ref());
 
     vectorField nodal;

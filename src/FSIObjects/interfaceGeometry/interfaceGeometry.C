@@ -206,6 +206,7 @@ void Foam::fsi::interfaceGeometry::update
 {
     setOpenness(levelSet);
     setCells(levelSet);
+    setFilmCells(levelSet);
     setFields(levelSet);
     setWallFaces(levelSet, surfaces);
     setWallLinks(levelSet, surfaces);

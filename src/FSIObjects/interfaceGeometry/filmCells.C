@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "interfaceGeometry.H"
+#include "emptyPolyPatch.H"
+#include "levelSetUpdate.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Between two surfaces the slope of the distance changes its sign: least
+//  drop of the slope from one side of the cell to the other. Across a thin film
+//  it is 1 to 2, a single surface has h over its radius.
+static const scalar leastDrop = 0.5;
+
+
+//- Largest drop of the slope of the distance at a sample, of all directions to
+//  its neighbours and their diagonals
+static scalar slopeDrop
+(
+    const cartesianBlock& block,
+    const label nDims,
+    const scalarField& distance,
+    const label here
+)
+{
+    scalar drop = 0;
+    for (label k = (nDims > 2 ? -1 : 0); k <= (nDims > 2 ? 1 : 0); ++k)
+    {
+        for (label j = -1; j <= 1; ++j)
+        {
+            // The other half are the same directions
+            for (label i = 0; i <= 1; ++i)
+            {
+                const scalar length = sqrt(scalar(i*i + j*j + k*k));
+                const label step =
+                    i*block.stride(0) + j*block.stride(1) + k*block.stride(2);
+                drop = max
+                (
+                    drop,
+                    (
+                        2*distance[here]
+                      - distance[here + step]
+                      - distance[here - step]
+                    )/max(length, scalar(1))
+                );
+            }
+        }
+    }
+    return drop/block.spacing();
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::interfaceGeometry::setFilmCells(const levelSetUpdate& levelSet)
+{
+    const polyMesh& mesh = grid_.mesh();
+    const scalarField& distance = levelSet.cellDistance();
+    const cartesianBlock halo(grid_.cells(1));
+
+    // Open parts of all sides; a patch is open, and a second surface
+    scalarField open(mesh.nCells(), Zero);
+    boolList atPatch(mesh.nCells(), false);
+    forAll(mesh.faceNeighbour(), facei)
+    {
+        open[mesh.faceOwner()[facei]] += openness_[facei];
+        open[mesh.faceNeighbour()[facei]] += openness_[facei];
+    }
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<emptyPolyPatch>(patch))
+        {
+            continue;
+        }
+        forAll(patch, i)
+        {
+            const label celli = patch.faceCells()[i];
+            const bool coupled = patch.coupled();
+            open[celli] += coupled ? openness_[patch.start() + i] : 1;
+            atPatch[celli] = atPatch[celli] || !coupled;
+        }
+    }
+
+    filmCells_.clear();
+    forAll(open, celli)
+    {
+        if (!activeCell_[celli] || open[celli] >= grid_.nDims())
+        {
+            continue;
+        }
+        if
+        (
+            atPatch[celli]
+         || slopeDrop(halo, grid_.nDims(), distance, haloIndex_[celli])
+          > leastDrop
+        )
+        {
+            filmCells_.append(celli);
+        }
+    }
+}
+
+
+// ************************************************************************* //
