@@ -26,7 +26,7 @@ Foam::fsi::levelSetUpdate::levelSetUpdate
 )
 :
     grid_(grid),
-    bandWidth_(readPositive(dict, "bandWidth", 4)),
+    bandWidth_(readPositive(dict, "bandWidth", 3)),
     nRebuilds_(0),
     centreSamples_(bandWidth_*grid.spacing()),
     cornerSamples_(bandWidth_*grid.spacing())

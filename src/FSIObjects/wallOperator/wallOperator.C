@@ -55,6 +55,33 @@ void Foam::fsi::wallOperator::transposeSums
 }
 
 
+void Foam::fsi::wallOperator::fluxLess
+(
+    const scalarField& net,
+    const vectorField& v,
+    scalarField& Jv
+) const
+{
+    const UList<wallFace>& faces = geometry_.wallFaces();
+
+    Jv = Zero;
+    forAll(faces, i)
+    {
+        const wallFace& w = faces[i];
+        const scalar q = w.area*w.place.interpolate(v, w.dir);
+        const scalar spread = share_[i]*net[w.place.object];
+        if (w.lower >= 0)
+        {
+            Jv[w.lower] += q - spread;
+        }
+        if (w.upper >= 0)
+        {
+            Jv[w.upper] -= q + spread;
+        }
+    }
+}
+
+
 void Foam::fsi::wallOperator::setCuts(const surfaceSet& surfaces)
 {
     cutNodes_.clear();
@@ -161,8 +188,6 @@ void Foam::fsi::wallOperator::flux
     scalarField& Jv
 ) const
 {
-    const UList<wallFace>& faces = geometry_.wallFaces();
-
     // Net flux 1.J v of each object: no exchange, the nodes are on all ranks
     scalarField& net = meanPressure_;
     net = 0;
@@ -170,21 +195,7 @@ void Foam::fsi::wallOperator::flux
     {
         net[pointObject_[nodei]] += uniformForce_[nodei] & v[nodei];
     }
-
-    grossFlux(v, Jv);
-    forAll(faces, i)
-    {
-        const wallFace& w = faces[i];
-        const scalar spread = share_[i]*net[w.place.object];
-        if (w.lower >= 0)
-        {
-            Jv[w.lower] -= spread;
-        }
-        if (w.upper >= 0)
-        {
-            Jv[w.upper] -= spread;
-        }
-    }
+    fluxLess(net, v, Jv);
 }
 
 
@@ -194,19 +205,7 @@ void Foam::fsi::wallOperator::grossFlux
     scalarField& Jv
 ) const
 {
-    Jv = Zero;
-    for (const wallFace& w : geometry_.wallFaces())
-    {
-        const scalar q = w.area*w.place.interpolate(v, w.dir);
-        if (w.lower >= 0)
-        {
-            Jv[w.lower] += q;
-        }
-        if (w.upper >= 0)
-        {
-            Jv[w.upper] -= q;
-        }
-    }
+    fluxLess(scalarField(nObjects_, Zero), v, Jv);
 }
 
 

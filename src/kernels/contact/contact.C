@@ -201,6 +201,10 @@ Foam::label Foam::fsi::contact::limit
 {
     force.setSize(surfaces.points().size());
     force = Zero;
+    if (!mayClose(surfaces, dt))
+    {
+        return 0;
+    }
 
     // Pairs where the step would put the surfaces
     moved_ = surfaces;

@@ -88,4 +88,52 @@ void Foam::fsi::contact::count(const surfaceSet& surfaces)
 }
 
 
+
+bool Foam::fsi::contact::mayClose
+(
+    const surfaceSet& surfaces,
+    const scalar dt
+) const
+{
+    if (needsMedialAxis() || !searched(surfaces))
+    {
+        return true;
+    }
+
+    // Mean velocity of each object, and how far its nodes' are from it
+    const vectorField& v = surfaces.velocities();
+    vectorField mean(surfaces.size(), Zero);
+    scalarField spread(surfaces.size(), Zero);
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        const label start = surfaces.pointStart()[objecti];
+        const label end = surfaces.pointStart()[objecti + 1];
+        for (label nodei = start; nodei < end; ++nodei)
+        {
+            mean[objecti] += v[nodei]/(end - start);
+        }
+        for (label nodei = start; nodei < end; ++nodei)
+        {
+            spread[objecti] =
+                max(spread[objecti], mag(v[nodei] - mean[objecti]));
+        }
+    }
+
+    // A pair has the nearest point of the other object, and all of that object
+    // comes nearer by this speed at most
+    for (const contactPair& pair : found_.pairs)
+    {
+        const scalar approach =
+            pair.other < 0
+          ? -(v[pair.node] & pair.normal)
+          : mag(v[pair.node] - mean[pair.other]) + spread[pair.other];
+        if (pair.gap - dt*approach < minimumGap_)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 // ************************************************************************* //
