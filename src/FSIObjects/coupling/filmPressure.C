@@ -118,7 +118,9 @@ void Foam::fsi::fillFilmCells
     volScalarField& p
 )
 {
-    DynamicList<label> cells(geometry.filmCells());
+    const UList<label>& films = geometry.filmCells();
+    const scalarField last(p.primitiveField(), films);
+    DynamicList<label> cells(films);
     label left = returnReduce(cells.size(), sumOp<label>());
     if (left == 0)
     {
@@ -143,6 +145,11 @@ void Foam::fsi::fillFilmCells
     for (const label celli : cells)
     {
         p[celli] = mean;
+    }
+    forAll(films, i)
+    {
+        const label celli = films[i];
+        p[celli] += (1 - geometry.filmChange()[celli])*(last[i] - p[celli]);
     }
     p.correctBoundaryConditions();
 }

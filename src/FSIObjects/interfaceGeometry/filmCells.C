@@ -16,6 +16,9 @@ namespace fsi
 //  it is 1 to 2, a single surface has h over its radius.
 static const scalar leastDrop = 0.5;
 
+//- A film changes fast if its open parts change by this part in a step
+static const scalar fastest = 0.02;
+
 
 //- Largest drop of the slope of the distance at a sample, of all directions to
 //  its neighbours and their diagonals
@@ -59,19 +62,30 @@ static scalar slopeDrop
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::interfaceGeometry::setFilmCells(const levelSetUpdate& levelSet)
+void Foam::fsi::interfaceGeometry::sumOpenParts
+(
+    scalarField& open,
+    scalarField& change,
+    boolList& atPatch
+) const
 {
     const polyMesh& mesh = grid_.mesh();
-    const scalarField& distance = levelSet.cellDistance();
-    const cartesianBlock halo(grid_.cells(1));
+    open.setSize(mesh.nCells());
+    open = Zero;
+    change.setSize(mesh.nCells());
+    change = Zero;
+    atPatch.setSize(mesh.nCells());
+    atPatch = false;
 
-    // Open parts of all sides; a patch is open, and a second surface
-    scalarField open(mesh.nCells(), Zero);
-    boolList atPatch(mesh.nCells(), false);
+    const auto add = [&](const label celli, const label facei)
+    {
+        open[celli] += openness_[facei];
+        change[celli] += mag(openness_[facei] - lastOpenness_[facei]);
+    };
     forAll(mesh.faceNeighbour(), facei)
     {
-        open[mesh.faceOwner()[facei]] += openness_[facei];
-        open[mesh.faceNeighbour()[facei]] += openness_[facei];
+        add(mesh.faceOwner()[facei], facei);
+        add(mesh.faceNeighbour()[facei], facei);
     }
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -82,12 +96,36 @@ void Foam::fsi::interfaceGeometry::setFilmCells(const levelSetUpdate& levelSet)
         forAll(patch, i)
         {
             const label celli = patch.faceCells()[i];
-            const bool coupled = patch.coupled();
-            open[celli] += coupled ? openness_[patch.start() + i] : 1;
-            atPatch[celli] = atPatch[celli] || !coupled;
+            if (patch.coupled())
+            {
+                add(celli, patch.start() + i);
+            }
+            else
+            {
+                open[celli] += 1;
+                atPatch[celli] = true;
+            }
         }
     }
+}
 
+
+void Foam::fsi::interfaceGeometry::setFilmCells
+(
+    const levelSetUpdate& levelSet,
+    const bool first
+)
+{
+    const scalarField& distance = levelSet.cellDistance();
+    const cartesianBlock halo(grid_.cells(1));
+    scalarField open, change;
+    boolList atPatch;
+    sumOpenParts(open, change, atPatch);
+
+    for (const label celli : filmCells_)
+    {
+        filmChange_[celli] = 0;
+    }
     filmCells_.clear();
     forAll(open, celli)
     {
@@ -103,6 +141,11 @@ void Foam::fsi::interfaceGeometry::setFilmCells(const levelSetUpdate& levelSet)
         )
         {
             filmCells_.append(celli);
+            if (!first)
+            {
+                filmChange_[celli] =
+                    min(change[celli]/(fastest*open[celli]), 1.0);
+            }
         }
     }
 }

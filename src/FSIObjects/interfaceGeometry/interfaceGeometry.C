@@ -172,6 +172,19 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
     openness_(grid.mesh().nFaces(), 1),
     fluidCell_(grid.mesh().nCells(), true),
     activeCell_(grid.mesh().nCells(), true),
+    filmChange_
+    (
+        IOobject
+        (
+            "filmChange",
+            grid.mesh().time().timeName(),
+            grid.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        grid.mesh(),
+        dimensionedScalar("value", dimless, 0)
+    ),
     openArea_
     (
         IOobject("openArea", grid.mesh().time().timeName(), grid.mesh()),
@@ -204,9 +217,18 @@ void Foam::fsi::interfaceGeometry::update
     const surfaceSet& surfaces
 )
 {
+    const bool first = lastOpenness_.empty();
+    if (!first)
+    {
+        lastOpenness_.swap(openness_);
+    }
     setOpenness(levelSet);
+    if (first)
+    {
+        lastOpenness_ = openness_;
+    }
     setCells(levelSet);
-    setFilmCells(levelSet);
+    setFilmCells(levelSet, first);
     setFields(levelSet);
     setWallFaces(levelSet, surfaces);
     setWallLinks(levelSet, surfaces);

@@ -173,7 +173,7 @@ def check_refusal(report, folder):
     """A period that is too short for an object."""
     case = report.attempt(
         "short period, set-up", box, folder, "short", ((0.5, 0.5, 0, 0),),
-        shapes="disc { shape { type circle; radius 0.45; } "
+        shapes="disc { shape { type circle; radius 0.46; } "
                "nodeSpacing 0.05; material { density 1; E 100; } }",
         placements="discs { type listed; shape disc; wallGap 0; "
                    "objects ({ centre (0.5 0.5 0); }); }")
