@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiObjects.H"
+#include "fillFromNeighbours.H"
 #include "dictionaryCheck.H"
 #include "objectContact.H"
 
@@ -108,59 +109,24 @@ void Foam::fsi::fsiObjects::fillNewCells
 ) const
 {
     const boolList& active = system_.geometry.activeCell();
-
-    volScalarField known
-    (
-        IOobject("known", mesh_.time().timeName(), mesh_),
-        mesh_,
-        dimensionedScalar(dimless, Zero)
-    );
+    scalarField known(mesh_.nCells(), Zero);
+    DynamicList<label> cells;
     forAll(wasActive, celli)
     {
         known[celli] = wasActive[celli] ? 1 : 0;
-    }
-    known.correctBoundaryConditions();
-
-    scalarField sum(mesh_.nCells(), Zero);
-    scalarField count(mesh_.nCells(), Zero);
-    const auto add = [&](const label celli, const scalar k, const scalar value)
-    {
-        sum[celli] += k*value;
-        count[celli] += k;
-    };
-
-    const labelUList& own = mesh_.owner();
-    const labelUList& nei = mesh_.neighbour();
-    forAll(own, facei)
-    {
-        add(own[facei], known[nei[facei]], p[nei[facei]]);
-        add(nei[facei], known[own[facei]], p[own[facei]]);
-    }
-    forAll(known.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pk = known.boundaryField()[patchi];
-        if (pk.coupled())
+        if (active[celli] && !wasActive[celli])
         {
-            const scalarField k(pk.patchNeighbourField());
-            const scalarField pn
-            (
-                p.boundaryField()[patchi].patchNeighbourField()
-            );
-            const labelUList& cells = pk.patch().faceCells();
-            forAll(cells, i)
-            {
-                add(cells[i], k[i], pn[i]);
-            }
+            cells.append(celli);
         }
     }
-
-    forAll(active, celli)
-    {
-        if (active[celli] && !wasActive[celli] && count[celli] > 0)
-        {
-            p[celli] = sum[celli]/count[celli];
-        }
-    }
+    fillFromNeighbours
+    (
+        mesh_,
+        scalarField(mesh_.nFaces(), 1),
+        cells,
+        known,
+        p.primitiveFieldRef()
+    );
     p.correctBoundaryConditions();
 }
 

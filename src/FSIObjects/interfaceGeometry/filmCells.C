@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceGeometry.H"
-#include "emptyPolyPatch.H"
 #include "levelSetUpdate.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -62,51 +61,43 @@ static scalar slopeDrop
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::interfaceGeometry::sumOpenParts
+bool Foam::fsi::interfaceGeometry::isNarrow
 (
-    scalarField& open,
-    scalarField& change,
-    boolList& atPatch
+    const label celli,
+    scalar& change,
+    bool& atPatch
 ) const
 {
     const polyMesh& mesh = grid_.mesh();
-    open.setSize(mesh.nCells());
-    open = Zero;
-    change.setSize(mesh.nCells());
-    change = Zero;
-    atPatch.setSize(mesh.nCells());
-    atPatch = false;
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
 
-    const auto add = [&](const label celli, const label facei)
+    // A side at a patch counts as open
+    scalar open = 0;
+    change = 0;
+    atPatch = false;
+    for (const label facei : mesh.cells()[celli])
     {
-        open[celli] += openness_[facei];
-        change[celli] += mag(openness_[facei] - lastOpenness_[facei]);
-    };
-    forAll(mesh.faceNeighbour(), facei)
-    {
-        add(mesh.faceOwner()[facei], facei);
-        add(mesh.faceNeighbour()[facei], facei);
-    }
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (isA<emptyPolyPatch>(patch))
+        if (grid_.faceCorners(facei)[0] < 0)
         {
             continue;
         }
-        forAll(patch, i)
+        if
+        (
+            mesh.isInternalFace(facei)
+         || patches[patches.whichPatch(facei)].coupled()
+        )
         {
-            const label celli = patch.faceCells()[i];
-            if (patch.coupled())
-            {
-                add(celli, patch.start() + i);
-            }
-            else
-            {
-                open[celli] += 1;
-                atPatch[celli] = true;
-            }
+            open += openness_[facei];
+            change += mag(openness_[facei] - lastOpenness_[facei]);
+        }
+        else
+        {
+            open += 1;
+            atPatch = true;
         }
     }
+    change /= open;
+    return open < grid_.nDims();
 }
 
 
@@ -118,33 +109,33 @@ void Foam::fsi::interfaceGeometry::setFilmCells
 {
     const scalarField& distance = levelSet.cellDistance();
     const cartesianBlock halo(grid_.cells(1));
-    scalarField open, change;
-    boolList atPatch;
-    sumOpenParts(open, change, atPatch);
 
     for (const label celli : filmCells_)
     {
         filmChange_[celli] = 0;
     }
     filmCells_.clear();
-    forAll(open, celli)
+    forAll(activeCell_, celli)
     {
-        if (!activeCell_[celli] || open[celli] >= grid_.nDims())
-        {
-            continue;
-        }
+        // Farther from a surface all sides are open
+        const label here = haloIndex_[celli];
+        scalar change;
+        bool atPatch;
         if
         (
-            atPatch[celli]
-         || slopeDrop(halo, grid_.nDims(), distance, haloIndex_[celli])
-          > leastDrop
+            activeCell_[celli]
+         && mag(distance[here]) < 1.5*grid_.spacing()
+         && isNarrow(celli, change, atPatch)
+         && (
+                atPatch
+             || slopeDrop(halo, grid_.nDims(), distance, here) > leastDrop
+            )
         )
         {
             filmCells_.append(celli);
             if (!first)
             {
-                filmChange_[celli] =
-                    min(change[celli]/(fastest*open[celli]), 1.0);
+                filmChange_[celli] = min(change/fastest, 1.0);
             }
         }
     }

@@ -88,7 +88,6 @@ void Foam::fsi::contact::count(const surfaceSet& surfaces)
 }
 
 
-
 bool Foam::fsi::contact::mayClose
 (
     const surfaceSet& surfaces,

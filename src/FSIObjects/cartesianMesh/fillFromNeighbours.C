@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fillFromNeighbours.H"
+#include "syncTools.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Weighted mean of a cell's neighbours that are known; false if there is
+//  none. coupledKnown, coupledValues: of the cells across coupled faces, from
+//  the first boundary face.
+bool meanOfKnown
+(
+    const polyMesh& mesh,
+    const scalarField& weight,
+    const label celli,
+    const scalarField& known,
+    const scalarList& coupledKnown,
+    const scalarField& values,
+    const scalarList& coupledValues,
+    scalar& mean
+)
+{
+    scalar total = 0, sum = 0;
+    for (const label facei : mesh.cells()[celli])
+    {
+        const label outside = facei - mesh.nInternalFaces();
+        const scalar w = weight[facei];
+        if (outside < 0)
+        {
+            const label own = mesh.faceOwner()[facei];
+            const label other =
+                own == celli ? mesh.faceNeighbour()[facei] : own;
+            total += w*known[other];
+            sum += w*known[other]*values[other];
+        }
+        else
+        {
+            total += w*coupledKnown[outside];
+            sum += w*coupledKnown[outside]*coupledValues[outside];
+        }
+    }
+    mean = sum/max(total, VSMALL);
+    return total > 0;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::fsi::fillFromNeighbours
+(
+    const polyMesh& mesh,
+    const scalarField& weight,
+    DynamicList<label>& cells,
+    scalarField& known,
+    scalarField& values
+)
+{
+    scalarList coupledKnown, coupledValues;
+    syncTools::swapBoundaryCellList(mesh, known, coupledKnown);
+    syncTools::swapBoundaryCellList(mesh, values, coupledValues);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (!patch.coupled())
+        {
+            const label start = patch.start() - mesh.nInternalFaces();
+            SubList<scalar>(coupledKnown, patch.size(), start) = Zero;
+        }
+    }
+
+    DynamicList<label> filled, left;
+    DynamicList<scalar> means;
+    for (const label celli : cells)
+    {
+        scalar mean;
+        if
+        (
+            meanOfKnown
+            (
+                mesh, weight, celli,
+                known, coupledKnown, values, coupledValues, mean
+            )
+        )
+        {
+            filled.append(celli);
+            means.append(mean);
+        }
+        else
+        {
+            left.append(celli);
+        }
+    }
+    forAll(filled, i)
+    {
+        values[filled[i]] = means[i];
+        known[filled[i]] = 1;
+    }
+    cells.transfer(left);
+    return returnReduce(cells.size(), sumOp<label>());
+}
+
+
+// ************************************************************************* //
