@@ -34,6 +34,7 @@ Description
 #include "fvOptions.H"
 #include "fsiObjects.H"
 #include "timeStep.H"
+#include <malloc.h>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -44,6 +45,7 @@ int main(int argc, char *argv[])
         "Deformable objects in an incompressible fluid on a Cartesian mesh"
     );
 
+    #include "keepMemory.H"
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
     #include "createTime.H"

@@ -25,7 +25,7 @@ void Foam::fsi::colouredMatrix::exchange() const
             {
                 for (label d = 0; d < nDims_; ++d)
                 {
-                    values[nDims_*i + d] = value(cells[i], d);
+                    values[nDims_*i + d] = value(rowOf_[cells[i]])[d];
                 }
             }
             UOPstream to

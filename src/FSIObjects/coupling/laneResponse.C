@@ -42,7 +42,7 @@ void Foam::fsi::laneResponse::makeModes()
 void Foam::fsi::laneResponse::factorBlock
 (
     const label blocki,
-    const copyLinks& links
+    const std::vector<copyLink>* links
 )
 {
     laneCholesky& block = factors_[blocki];
@@ -81,7 +81,7 @@ void Foam::fsi::laneResponse::factorBlock
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-void Foam::fsi::laneResponse::makeMatrices(const copyLinks& links)
+void Foam::fsi::laneResponse::makeMatrices(const std::vector<copyLink>* links)
 {
     makeModes();
     factors_.resize

@@ -1,59 +1,109 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectsConductance.H"
-#include <algorithm>
+#include "labelPair.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace fsi
+namespace
 {
 
-//- What a cell's pressure does to a component of a node [m^2]
-struct cellLoad
-{
-    label cell;
-    label dof;
-    scalar value;
-};
+using namespace Foam;
+using Foam::fsi::wallFace;
 
-
-//- Loads of all cells, by cell and component: those that a cell has on one
-//  node stand together, so that they can be summed before they are squared
-static std::vector<cellLoad> sortedLoads(const interfaceGeometry& geometry)
+//- The wall faces of each cell: chains of its sides, 2 i at the lower cell of
+//  wall i and 2 i + 1 at the upper one
+class cellWalls
 {
-    std::vector<cellLoad> loads;
-    for (const wallFace& w : geometry.wallFaces())
+    const UList<wallFace>& walls_;
+
+    //- First side of each cell, and the next one of each side; -1: none
+    labelList first_;
+    labelList next_;
+
+    label cell(const label side) const
     {
-        for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
+        const wallFace& w = walls_[side/2];
+        return side % 2 ? w.upper : w.lower;
+    }
+
+public:
+
+    cellWalls(const UList<wallFace>& walls, const label nCells)
+    :
+        walls_(walls),
+        first_(nCells, -1),
+        next_(2*walls.size(), -1)
+    {
+        forAllReverse(next_, side)
         {
-            const label dof = 3*w.place.nodes[k] + w.dir;
-            const scalar value = w.area*w.place.weights[k];
-            if (w.lower >= 0)
+            const label celli = cell(side);
+            if (celli >= 0)
             {
-                loads.push_back({w.lower, dof, value});
-            }
-            if (w.upper >= 0)
-            {
-                loads.push_back({w.upper, dof, -value});
+                next_[side] = first_[celli];
+                first_[celli] = side;
             }
         }
     }
-    std::sort
-    (
-        loads.begin(),
-        loads.end(),
-        [](const cellLoad& a, const cellLoad& b)
-        {
-            return a.cell != b.cell ? a.cell < b.cell : a.dof < b.dof;
-        }
-    );
-    return loads;
-}
 
-} // End namespace fsi
-} // End namespace Foam
+    //- Call action(cell, component of a node, value) for all components that a
+    //  cell's pressure acts on [m^2], once for each of them
+    template<class Action>
+    void forLoads(const Action& action) const
+    {
+        DynamicList<labelPair> places;
+        DynamicList<scalar> values;
+        forAll(next_, side)
+        {
+            const label celli = cell(side);
+            if (celli < 0 || first_[celli] != side)
+            {
+                continue;
+            }
+            places.clear();
+            values.clear();
+            for (label s = side; s >= 0; s = next_[s])
+            {
+                addSide(s, places, values);
+            }
+            forAll(places, i)
+            {
+                action(celli, places[i], values[i]);
+            }
+        }
+    }
+
+private:
+
+    //- Add a side's loads, to those that are there already where possible
+    void addSide
+    (
+        const label side,
+        DynamicList<labelPair>& places,
+        DynamicList<scalar>& values
+    ) const
+    {
+        const wallFace& w = walls_[side/2];
+        const scalar area = side % 2 ? -w.area : w.area;
+        for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
+        {
+            const labelPair place(w.place.nodes[k], w.dir);
+            label i = 0;
+            while (i < places.size() && places[i] != place)
+            {
+                ++i;
+            }
+            if (i == places.size())
+            {
+                places.append(place);
+                values.append(0);
+            }
+            values[i] += area*w.place.weights[k];
+        }
+    }
+};
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -112,27 +162,14 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
         }
     }
 
-    const std::vector<cellLoad> loads(sortedLoads(system_.geometry));
-
     d = Zero;
-    for (std::size_t i = 0; i < loads.size();)
-    {
-        scalar sum = 0;
-        const std::size_t first = i;
-        for
-        (
-            ;
-            i < loads.size()
-         && loads[i].cell == loads[first].cell
-         && loads[i].dof == loads[first].dof;
-            ++i
-        )
+    cellWalls(system_.geometry.wallFaces(), d.size()).forLoads
+    (
+        [&](const label celli, const labelPair& place, const scalar value)
         {
-            sum += loads[i].value;
+            d[celli] += sqr(value)*mobility[place.first()][place.second()];
         }
-        const label dof = loads[first].dof;
-        d[loads[first].cell] += sqr(sum)*mobility[dof/3][dof % 3];
-    }
+    );
 }
 
 

@@ -45,9 +45,7 @@ void Foam::fsi::objectsTerm::add
     // J' is +1 outward of the lower cell, and p pushes the nodes outward of
     // the fluid with the same sign: K is positive semi-definite
     velocity(x, nodal_);
-    flux_.setSize(x.size());
-    system_.walls.flux(nodal_, flux_);
-    Ax += flux_;
+    system_.walls.addFlux(nodal_, Ax);
 }
 
 

@@ -74,7 +74,7 @@ void Foam::fsi::sparseResponse::factorCopy
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-void Foam::fsi::sparseResponse::makeMatrices(const copyLinks& links)
+void Foam::fsi::sparseResponse::makeMatrices(const std::vector<copyLink>* links)
 {
     makeModes();
     factors_.resize(group_.size());

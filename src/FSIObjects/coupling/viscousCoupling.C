@@ -67,7 +67,8 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
 Foam::fsi::viscousCoupling::viscousCoupling(const fsiSystem& system)
 :
     system_(system),
-    matrix_(system.grid)
+    matrix_(system.grid),
+    links_(matrix_, system.grid.nDims())
 {}
 
 
@@ -82,7 +83,11 @@ void Foam::fsi::viscousCoupling::updateResponses
     const labelList& start = objects.surfaces().pointStart();
     const scalar viscosity = system_.fluidDensity*system_.viscosity;
 
-    std::vector<std::vector<copyLink>> links(objects.size());
+    copyLinks_.resize(objects.size());
+    for (auto& links : copyLinks_)
+    {
+        links.clear();
+    }
     for (const wallLink& link : system_.geometry.wallLinks())
     {
         const label objecti = link.place.object;
@@ -95,10 +100,10 @@ void Foam::fsi::viscousCoupling::updateResponses
             c.nodes[i] = used ? link.place.nodes[i] - start[objecti] : -1;
             c.weights[i] = used ? link.place.weights[i] : 0;
         }
-        links[objecti].push_back(c);
+        copyLinks_[objecti].push_back(c);
     }
-    gatherLinks(links);
-    addShortWaves(system_, links);
+    gatherLinks(copyLinks_);
+    addShortWaves(system_, copyLinks_);
 
     fsiSystem::groupNodal turning;
     transposedModes(system_, turning);
@@ -114,11 +119,10 @@ void Foam::fsi::viscousCoupling::updateResponses
         {
             responses_[groupi] = viscousResponse::New(group);
         }
-        const auto first = links.begin() + objects.objectIndex(groupi, 0);
         responses_[groupi]->update
         (
             system_.deltaT(),
-            {first, first + group.size()},
+            copyLinks_.data() + objects.objectIndex(groupi, 0),
             turning[groupi],
             predicted[groupi]
         );
@@ -128,21 +132,9 @@ void Foam::fsi::viscousCoupling::updateResponses
 
 void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
 {
-    const scalar viscosity = system_.fluidDensity*system_.viscosity;
-    const direction nDims = system_.grid.nDims();
-
     nodal_.setSize(system_.objects.surfaces().points().size());
     nodal_ = Zero;
-    for (const wallLink& link : system_.geometry.wallLinks())
-    {
-        vector value(Zero);
-        for (direction d = 0; d < nDims; ++d)
-        {
-            value[d] =
-                viscosity*link.conductance*matrix_.value(link.cell, d);
-        }
-        link.place.spread(nodal_, value);
-    }
+    links_.addForce(system_.fluidDensity, nodal_);
     sumOverRanks(nodal_);
     if (system_.transposedStress == fsiSystem::transposedPart::linear)
     {
@@ -173,52 +165,17 @@ void Foam::fsi::viscousCoupling::overRelax(fsiSystem::groupNodal& v)
 
 void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
 {
-    const direction nDims = system_.grid.nDims();
-    const UList<wallLink>& links = system_.geometry.wallLinks();
-
-    // A cell may have several links
     system_.fromBoundary(v, nodalVelocity_);
-    forAll(links, i)
-    {
-        for (direction d = 0; d < nDims; ++d)
-        {
-            matrix_.source(links[i].cell, d) = linkSource_[i][d];
-        }
-    }
-    for (const wallLink& link : links)
-    {
-        const vector wall(link.place.interpolate(nodalVelocity_));
-        for (direction d = 0; d < nDims; ++d)
-        {
-            matrix_.source(link.cell, d) +=
-                system_.viscosity*link.conductance*wall[d];
-        }
-    }
+    links_.setSources(nodalVelocity_);
 }
 
 
 void Foam::fsi::viscousCoupling::setMatrix(const fvVectorMatrix& UEqn)
 {
-    const UList<wallLink>& links = system_.geometry.wallLinks();
     matrix_.set(UEqn);
-    linkSource_.setSize(links.size());
-    forAll(links, i)
-    {
-        const label celli = links[i].cell;
-        matrix_.addToDiagonal
-        (
-            celli,
-            system_.viscosity*links[i].conductance
-        );
-        for (direction d = 0; d < system_.grid.nDims(); ++d)
-        {
-            linkSource_[i][d] = matrix_.source(celli, d);
-        }
-    }
+    links_.set(system_.geometry.wallLinks(), system_.viscosity);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 

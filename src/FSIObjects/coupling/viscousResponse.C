@@ -103,7 +103,7 @@ void Foam::fsi::viscousResponse::makeSource()
 void Foam::fsi::viscousResponse::update
 (
     const scalar dt,
-    const copyLinks& links,
+    const std::vector<copyLink>* links,
     const Eigen::MatrixXd& turning,
     const Eigen::MatrixXd& predicted
 )

@@ -14,15 +14,12 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::cutFaceVelocity
 ) const
 {
     const fvMesh& mesh = U.mesh();
-    const boolList& fluid = geometry_.fluidCell();
     auto tvelocity = tmp<scalarField>::New(mesh.nFaces(), Zero);
     scalarField& velocity = tvelocity.ref();
 
     // Between a fluid cell's centre and the wall
-    boolList linked(mesh.nFaces(), false);
     for (const wallLink& link : geometry_.wallLinks())
     {
-        linked[link.face] = true;
         const scalar wall = link.place.interpolate(wallVelocity, link.dir);
         const scalar part = min(0.5/link.wallDistance, 1.0);
         velocity[link.face] = (1 - part)*U[link.cell][link.dir] + part*wall;
@@ -33,17 +30,13 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::cutFaceVelocity
     }
 
     // Between two cells with their centres inside objects. Across a coupled
-    // patch each side gives half; there the link is known to its cell's rank
-    syncTools::syncFaceList(mesh, linked, orEqOp<bool>());
-    for (const wallFace& w : geometry_.wallFaces())
+    // patch each side gives half
+    for (const label walli : geometry_.innerFaces())
     {
+        const wallFace& w = geometry_.wallFaces()[walli];
         const label own = mesh.faceOwner()[w.face];
         const bool internal = w.face < mesh.nInternalFaces();
         const label nei = internal ? mesh.faceNeighbour()[w.face] : own;
-        if (geometry_.openness()[w.face] <= 0 || fluid[own] || linked[w.face])
-        {
-            continue;
-        }
         const scalar half = internal ? 1 : 0.5;
         velocity[w.face] = half*w.place.interpolate(wallVelocity, w.dir);
         if (increment)

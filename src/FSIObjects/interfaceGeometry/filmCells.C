@@ -77,15 +77,12 @@ bool Foam::fsi::interfaceGeometry::isNarrow
     atPatch = false;
     for (const label facei : mesh.cells()[celli])
     {
-        if (grid_.faceCorners(facei)[0] < 0)
+        const bool internal = mesh.isInternalFace(facei);
+        if (!internal && grid_.faceCorners(facei)[0] < 0)
         {
             continue;
         }
-        if
-        (
-            mesh.isInternalFace(facei)
-         || patches[patches.whichPatch(facei)].coupled()
-        )
+        if (internal || patches[patches.whichPatch(facei)].coupled())
         {
             open += openness_[facei];
             change += mag(openness_[facei] - lastOpenness_[facei]);
@@ -115,16 +112,18 @@ void Foam::fsi::interfaceGeometry::setFilmCells
         filmChange_[celli] = 0;
     }
     filmCells_.clear();
+    const scalar diagonal =
+        0.5*sqrt(scalar(grid_.nDims()))*grid_.spacing();
     forAll(activeCell_, celli)
     {
-        // Farther from a surface all sides are open
+        // Half a diagonal from a surface all sides are open
         const label here = haloIndex_[celli];
         scalar change;
         bool atPatch;
         if
         (
             activeCell_[celli]
-         && mag(distance[here]) < 1.5*grid_.spacing()
+         && distance[here] < diagonal
          && isNarrow(celli, change, atPatch)
          && (
                 atPatch

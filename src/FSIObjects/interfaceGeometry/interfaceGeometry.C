@@ -232,6 +232,7 @@ void Foam::fsi::interfaceGeometry::update
     setFields(levelSet);
     setWallFaces(levelSet, surfaces);
     setWallLinks(levelSet, surfaces);
+    setInnerFaces();
     setOutsideWalls(levelSet, surfaces);
 }
 

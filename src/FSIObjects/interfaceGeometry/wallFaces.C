@@ -3,6 +3,7 @@
 #include "interfaceGeometry.H"
 #include "wallTreatment.H"
 #include "levelSetUpdate.H"
+#include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -193,6 +194,35 @@ void Foam::fsi::interfaceGeometry::setWallLinks
             {
                 addLink(facei, own, dir, sign);
             }
+        }
+    }
+}
+
+
+void Foam::fsi::interfaceGeometry::setInnerFaces()
+{
+    const fvMesh& mesh = grid_.mesh();
+
+    // Across a coupled patch a link is known to its cell's rank
+    boolList linked(mesh.nFaces(), false);
+    for (const wallLink& link : wallLinks_)
+    {
+        linked[link.face] = true;
+    }
+    syncTools::syncFaceList(mesh, linked, orEqOp<bool>());
+
+    innerFaces_.clear();
+    forAll(wallFaces_, i)
+    {
+        const label facei = wallFaces_[i].face;
+        if
+        (
+            openness_[facei] > 0
+         && !fluidCell_[mesh.faceOwner()[facei]]
+         && !linked[facei]
+        )
+        {
+            innerFaces_.append(i);
         }
     }
 }

@@ -15,70 +15,38 @@ Foam::fsi::wallOperator::wallOperator(const interfaceGeometry& geometry)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::wallOperator::transposeSums
-(
-    const scalarField& p,
-    vectorField& force
-) const
+void Foam::fsi::wallOperator::setEntries()
 {
-    const UList<wallFace>& faces = geometry_.wallFaces();
-
-    force.setSize(nNodes_);
-    force = Zero;
-    meanPressure_ = 0;
-    forAll(faces, i)
+    for (DynamicList<entry>& entries : entries_)
     {
-        const wallFace& w = faces[i];
-        const scalar lower = w.lower < 0 ? 0 : p[w.lower];
-        const scalar upper = w.upper < 0 ? 0 : p[w.upper];
-        w.place.spread(force, w.dir, w.area*(lower - upper));
-        meanPressure_[w.place.object] += share_[i]*(lower + upper);
+        entries.clear();
     }
-
-    if (Pstream::parRun())
+    perArea_.setSize(nObjects_);
+    perArea_ = Zero;
+    for (const wallFace& w : geometry_.wallFaces())
     {
-        // One exchange for both: the means behind the forces
-        exchange_.setSize(nNodes_ + nObjects_);
-        SubList<vector>(exchange_, nNodes_) = force;
-        forAll(meanPressure_, objecti)
-        {
-            exchange_[nNodes_ + objecti] =
-                vector(meanPressure_[objecti], 0, 0);
-        }
-        sumOverRanks(exchange_);
-        force = SubList<vector>(exchange_, nNodes_);
-        forAll(meanPressure_, objecti)
-        {
-            meanPressure_[objecti] = exchange_[nNodes_ + objecti].x();
-        }
+        perArea_[w.place.object] +=
+            w.area*(label(w.lower >= 0) + label(w.upper >= 0));
+        const sides kind = w.upper < 0 ? LOWER : w.lower < 0 ? UPPER : BOTH;
+        w.place.forPairs
+        (
+            [&](const label a, const scalar u, const label b, const scalar v)
+            {
+                entries_[kind].append
+                ({
+                    w.lower,
+                    w.upper,
+                    w.place.object,
+                    label(3*a + w.dir),
+                    label(3*b + w.dir),
+                    w.area*u,
+                    w.area*v
+                });
+            }
+        );
     }
-}
-
-
-void Foam::fsi::wallOperator::fluxLess
-(
-    const scalarField& net,
-    const vectorField& v,
-    scalarField& Jv
-) const
-{
-    const UList<wallFace>& faces = geometry_.wallFaces();
-
-    Jv = Zero;
-    forAll(faces, i)
-    {
-        const wallFace& w = faces[i];
-        const scalar q = w.area*w.place.interpolate(v, w.dir);
-        const scalar spread = share_[i]*net[w.place.object];
-        if (w.lower >= 0)
-        {
-            Jv[w.lower] += q - spread;
-        }
-        if (w.upper >= 0)
-        {
-            Jv[w.upper] -= q + spread;
-        }
-    }
+    sumOverRanks(perArea_);
+    perArea_ = 1/max(perArea_, VSMALL);
 }
 
 
@@ -119,28 +87,12 @@ void Foam::fsi::wallOperator::setCuts(const surfaceSet& surfaces)
 
 void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
 {
-    const UList<wallFace>& faces = geometry_.wallFaces();
     nNodes_ = surfaces.points().size();
     pointObject_ = surfaces.pointObject();
     nObjects_ = surfaces.size();
     meanPressure_.setSize(nObjects_);
 
-    // Wall area of each object, both sides of a face counted
-    scalarField area(nObjects_, Zero);
-    forAll(faces, i)
-    {
-        const wallFace& w = faces[i];
-        area[w.place.object] +=
-            w.area*(label(w.lower >= 0) + label(w.upper >= 0));
-    }
-    sumOverRanks(area);
-
-    share_.setSize(faces.size());
-    forAll(faces, i)
-    {
-        share_[i] = faces[i].area/max(area[faces[i].place.object], VSMALL);
-    }
-
+    setEntries();
     setCuts(surfaces);
     transposeSums
     (
@@ -179,49 +131,6 @@ void Foam::fsi::wallOperator::outsideForce
         force[cutNodes_[i]] -= outside*cutAreas_[i];
     }
     sumOverRanks(force);
-}
-
-
-void Foam::fsi::wallOperator::flux
-(
-    const vectorField& v,
-    scalarField& Jv
-) const
-{
-    // Net flux 1.J v of each object: no exchange, the nodes are on all ranks
-    scalarField& net = meanPressure_;
-    net = 0;
-    forAll(uniformForce_, nodei)
-    {
-        net[pointObject_[nodei]] += uniformForce_[nodei] & v[nodei];
-    }
-    fluxLess(net, v, Jv);
-}
-
-
-void Foam::fsi::wallOperator::grossFlux
-(
-    const vectorField& v,
-    scalarField& Jv
-) const
-{
-    fluxLess(scalarField(nObjects_, Zero), v, Jv);
-}
-
-
-void Foam::fsi::wallOperator::transpose
-(
-    const scalarField& p,
-    vectorField& f
-) const
-{
-    transposeSums(p, f);
-
-    // Less the object's mean pressure times J^T 1
-    forAll(f, nodei)
-    {
-        f[nodei] -= meanPressure_[pointObject_[nodei]]*uniformForce_[nodei];
-    }
 }
 
 

@@ -101,7 +101,8 @@ void Foam::fsi::surfaceCellSearch::visit
 (
     const surfaceSet& surfaces,
     const label nodei,
-    const label sloti,
+    const label firstSlot,
+    const label endSlot,
     const scalar range
 )
 {
@@ -109,7 +110,7 @@ void Foam::fsi::surfaceCellSearch::visit
         geometry_.selfContact() ? -1 : surfaces.pointObject()[nodei];
     const point& x = surfaces.points()[nodei];
 
-    for (label i = start_[sloti]; i < start_[sloti + 1]; ++i)
+    for (label i = start_[firstSlot]; i < start_[endSlot]; ++i)
     {
         if (objects_[i] != own && magSqr(centres_[i] - x) < sqr(reach_))
         {
@@ -143,9 +144,15 @@ void Foam::fsi::surfaceCellSearch::find
         {
             for (long j = c[1] - 1; j <= c[1] + 1; ++j)
             {
-                for (long i = c[0] - 1; i <= c[0] + 1; ++i)
+                // Three cubes side by side have slots side by side, or go on
+                // at the table's begin
+                const label nSlots = start_.size() - 1;
+                const label sloti = slot(c[0] - 1, j, k);
+                const label end = sloti + 3;
+                visit(surfaces, nodei, sloti, min(end, nSlots), range);
+                if (end > nSlots)
                 {
-                    visit(surfaces, nodei, slot(i, j, k), range);
+                    visit(surfaces, nodei, 0, end - nSlots, range);
                 }
             }
         }

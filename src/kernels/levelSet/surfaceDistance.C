@@ -79,28 +79,18 @@ void Foam::fsi::surfaceDistance::addFace
 (
     const Projection& face,
     const label facei,
-    const boundBox& bounds,
+    const faceReach& reach,
     const cartesianBlock& block
 )
 {
-    // Samples within the band of the face lie in its grown bounding box, and
-    // in the slab of the band about its plane; a little wider for round-off
-    const scalar width = 1.001*bandWidth_;
-    const vector& normal = face.normal();
-    const bool steep = mag(normal.x()) > 1e-3;
-    const scalar reach = width/max(mag(normal.x()), VSMALL);
-
+    // range() takes the samples beside the limits too: these are wide enough
+    const scalar h = block.spacing();
+    const point lower(reach.bounds().min() + vector::uniform(h));
+    const point upper(reach.bounds().max() - vector::uniform(h));
     labelVector first(0, 0, 0), last(0, 0, 0);
     for (direction dir = 0; dir < block.nDims(); ++dir)
     {
-        block.range
-        (
-            bounds.min()[dir] - width,
-            bounds.max()[dir] + width,
-            dir,
-            first[dir],
-            last[dir]
-        );
+        block.range(lower[dir], upper[dir], dir, first[dir], last[dir]);
     }
 
     const labelVector& start = block.start();
@@ -109,15 +99,10 @@ void Foam::fsi::surfaceDistance::addFace
         for (label j = first.y(); j <= last.y(); ++j)
         {
             point p(block.position(labelVector(0, j, k) - start));
-            label begin = first.x();
-            label end = last.x();
-            if (steep)
-            {
-                const scalar x = face.planeX(p);
-                block.range(x - reach, x + reach, 0, begin, end);
-                begin = max(begin, first.x());
-                end = min(end, last.x());
-            }
+            scalar from, to;
+            label begin, end;
+            reach.row(p, from, to);
+            block.range(from + h, to - h, 0, begin, end);
 
             const label row =
                 block.index(0, j - start.y(), k - start.z()) - start.x();
@@ -136,7 +121,57 @@ void Foam::fsi::surfaceDistance::addFace
 }
 
 
-void Foam::fsi::surfaceDistance::addObject
+void Foam::fsi::surfaceDistance::addSegments
+(
+    const surfaceSet& surfaces,
+    const label objecti,
+    const cartesianBlock& block
+)
+{
+    const labelList& pointStart = surfaces.pointStart();
+    const labelList& faceStart = surfaces.faceStart();
+    const label firstPoint = pointStart[objecti];
+
+    // Directions of the faces that end and begin at each node
+    before_.setSize(pointStart[objecti + 1] - firstPoint);
+    after_.setSize(before_.size());
+    before_ = Zero;
+    after_ = Zero;
+    const auto ends = [&](const label facei, point& a, point& b)
+    {
+        // Distances in the plane, wherever the samples lie in z
+        const surfaceFace& f = surfaces.faces()[facei];
+        a = surfaces.points()[f[0]];
+        b = surfaces.points()[f[1]];
+        a.z() = b.z() = block.position(0).z();
+    };
+    point a, b;
+    for (label i = faceStart[objecti]; i < faceStart[objecti + 1]; ++i)
+    {
+        const surfaceFace& f = surfaces.faces()[i];
+        ends(i, a, b);
+        const vector along((b - a)/max(mag(b - a), VSMALL));
+        after_[f[0] - firstPoint] = along;
+        before_[f[1] - firstPoint] = along;
+    }
+    for (label i = faceStart[objecti]; i < faceStart[objecti + 1]; ++i)
+    {
+        const surfaceFace& f = surfaces.faces()[i];
+        ends(i, a, b);
+        const faceReach reach
+        (
+            a,
+            b,
+            before_[f[0] - firstPoint],
+            after_[f[1] - firstPoint],
+            bandWidth_
+        );
+        addFace(segmentProjection(a, b), i, reach, block);
+    }
+}
+
+
+void Foam::fsi::surfaceDistance::addTriangles
 (
     const surfaceSet& surfaces,
     const label objecti,
@@ -149,31 +184,13 @@ void Foam::fsi::surfaceDistance::addObject
     for (label i = faceStart[objecti]; i < faceStart[objecti + 1]; ++i)
     {
         const surfaceFace& f = surfaces.faces()[i];
-        point a(points[f[0]]);
-        point b(points[f[1]]);
-        if (surfaces.nDims() == 2)
-        {
-            // Distances in the plane, wherever the samples lie in z
-            a.z() = b.z() = block.position(0).z();
-            addFace
-            (
-                segmentProjection(a, b),
-                i,
-                boundBox(min(a, b), max(a, b)),
-                block
-            );
-        }
-        else
-        {
-            const point& c = points[f[2]];
-            addFace
-            (
-                triangleProjection(a, b, c),
-                i,
-                boundBox(min(min(a, b), c), max(max(a, b), c)),
-                block
-            );
-        }
+        const point& a = points[f[0]];
+        const point& b = points[f[1]];
+        const point& c = points[f[2]];
+        const triangleProjection face(a, b, c);
+        const boundBox bounds(min(min(a, b), c), max(max(a, b), c));
+        const faceReach reach(bounds, a, face.normal(), bandWidth_);
+        addFace(face, i, reach, block);
     }
 }
 
@@ -230,7 +247,14 @@ void Foam::fsi::surfaceDistance::update
     {
         if (isNear(surfaces.bounds(objecti), block))
         {
-            addObject(surfaces, objecti, block);
+            if (surfaces.nDims() == 2)
+            {
+                addSegments(surfaces, objecti, block);
+            }
+            else
+            {
+                addTriangles(surfaces, objecti, block);
+            }
             inside_.mark(surfaces, objecti, block, object_);
         }
     }

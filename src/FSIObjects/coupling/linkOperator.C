@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "linkOperator.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Rows from one that is fetched to one that is summed
+static constexpr label ahead = 16;
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::linkOperator::linkOperator
+(
+    colouredMatrix& matrix,
+    const direction nDims
+)
+:
+    matrix_(matrix),
+    nDims_(nDims)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::linkOperator::chain
+(
+    const UList<wallLink>& links,
+    const scalar viscosity
+)
+{
+    last_.setSize(matrix_.nRows());
+    last_ = -1;
+    unsorted_.clear();
+    previous_.clear();
+    for (const wallLink& link : links)
+    {
+        label& last = last_[matrix_.row(link.cell)];
+        const scalar g = viscosity*link.conductance;
+        matrix_.addToDiagonal(link.cell, g);
+        link.place.forPairs
+        (
+            [&](const label a, const scalar u, const label b, const scalar v)
+            {
+                previous_.append(last);
+                last = unsorted_.size();
+                unsorted_.append({a, b, g*u, g*v});
+            }
+        );
+    }
+}
+
+
+template<int nDims>
+void Foam::fsi::linkOperator::doSetSources(const vectorField& v)
+{
+    forAll(rows_, i)
+    {
+        const label next = rows_[min(i + ahead, rows_.size() - 1)];
+        __builtin_prefetch(matrix_.source(next), 1);
+
+        FixedList<scalar, nDims> sum;
+        for (int d = 0; d < nDims; ++d)
+        {
+            sum[d] = sources_[nDims*i + d];
+        }
+        for (label j = start_[i]; j < start_[i + 1]; ++j)
+        {
+            const entry& link = entries_[j];
+            const vector& a = v[link.nodeA];
+            const vector& b = v[link.nodeB];
+            for (int d = 0; d < nDims; ++d)
+            {
+                sum[d] += link.partA*a[d] + link.partB*b[d];
+            }
+        }
+        scalar* source = matrix_.source(rows_[i]);
+        for (int d = 0; d < nDims; ++d)
+        {
+            source[d] = sum[d];
+        }
+    }
+}
+
+
+template<int nDims>
+void Foam::fsi::linkOperator::doAddForce
+(
+    const scalar density,
+    vectorField& force
+) const
+{
+    forAll(rows_, i)
+    {
+        const label next = rows_[min(i + ahead, rows_.size() - 1)];
+        __builtin_prefetch(matrix_.value(next));
+
+        const scalar* u = matrix_.value(rows_[i]);
+        for (label j = start_[i]; j < start_[i + 1]; ++j)
+        {
+            const entry& link = entries_[j];
+            for (int d = 0; d < nDims; ++d)
+            {
+                const scalar momentum = density*u[d];
+                force[link.nodeA][d] += link.partA*momentum;
+                force[link.nodeB][d] += link.partB*momentum;
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::linkOperator::set
+(
+    const UList<wallLink>& links,
+    const scalar viscosity
+)
+{
+    chain(links, viscosity);
+
+    entries_.clear();
+    rows_.clear();
+    sources_.clear();
+    start_.clear();
+    forAll(last_, row)
+    {
+        if (last_[row] < 0)
+        {
+            continue;
+        }
+        rows_.append(row);
+        start_.append(entries_.size());
+        for (label d = 0; d < nDims_; ++d)
+        {
+            sources_.append(matrix_.source(row)[d]);
+        }
+        for (label i = last_[row]; i >= 0; i = previous_[i])
+        {
+            entries_.append(unsorted_[i]);
+        }
+    }
+    start_.append(entries_.size());
+}
+
+
+void Foam::fsi::linkOperator::setSources(const vectorField& v)
+{
+    if (nDims_ == 2)
+    {
+        doSetSources<2>(v);
+    }
+    else
+    {
+        doSetSources<3>(v);
+    }
+}
+
+
+void Foam::fsi::linkOperator::addForce
+(
+    const scalar density,
+    vectorField& force
+) const
+{
+    if (nDims_ == 2)
+    {
+        doAddForce<2>(density, force);
+    }
+    else
+    {
+        doAddForce<3>(density, force);
+    }
+}
+
+
+// ************************************************************************* //
