@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "boxMesh.H"
+#include "discSurfaces.H"
 #include "domainSides.H"
 #include "interfaceGeometry.H"
 #include "levelSetUpdate.H"
@@ -30,17 +31,7 @@ boxLayout cyclicSquare(const direction split)
 //- A disc of radius 3.3 that moves with velocity (1 2 0)
 surfaceSet disc(const point& centre)
 {
-    const label n = 32;
-    pointField points(n);
-    List<surfaceFace> faces(n);
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar angle = 2*constant::mathematical::pi*(i + 0.3)/n;
-        points[i] = centre + 3.3*vector(Foam::cos(angle), Foam::sin(angle), 0);
-        faces[i] = surfaceFace({i, (i + 1) % n, -1});
-    }
-    surfaceSet surfaces(2);
-    surfaces.append(points, faces);
+    surfaceSet surfaces(discSurfaces(pointField(1, centre), 3.3, 32));
     surfaces.velocities() = vector(1, 2, 0);
     return surfaces;
 }

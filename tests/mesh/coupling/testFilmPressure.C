@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "boxMesh.H"
+#include "discSurfaces.H"
 #include "filmPressure.H"
 #include "levelSetUpdate.H"
 #include "wallTreatment.H"
-#include <vector>
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -56,23 +56,9 @@ public:
     }
 
     //- Discs at these places, one step after another
-    void move(const std::vector<point>& centres)
+    void move(const List<point>& centres)
     {
-        const label n = 96;
-        surfaceSet surfaces(2);
-        for (const point& centre : centres)
-        {
-            pointField points(n);
-            List<surfaceFace> faces(n);
-            for (label i = 0; i < n; ++i)
-            {
-                const scalar a = 2*constant::mathematical::pi*(i + 0.3)/n;
-                points[i] =
-                    centre + radius*vector(Foam::cos(a), Foam::sin(a), 0);
-                faces[i] = surfaceFace({i, (i + 1) % n, -1});
-            }
-            surfaces.append(points, faces);
-        }
+        const surfaceSet surfaces(discSurfaces(centres, radius, 96));
         levelSet_->initialise(surfaces);
         geometry.update(*levelSet_, surfaces);
     }
