@@ -21,12 +21,22 @@ void Foam::fsi::wallOperator::setEntries()
     {
         entries.clear();
     }
+    cells_.clear();
+    boolList found(geometry_.grid().mesh().nCells(), false);
     perArea_.setSize(nObjects_);
     perArea_ = Zero;
     for (const wallFace& w : geometry_.wallFaces())
     {
         perArea_[w.place.object] +=
             w.area*(label(w.lower >= 0) + label(w.upper >= 0));
+        for (const label celli : {w.lower, w.upper})
+        {
+            if (celli >= 0 && !found[celli])
+            {
+                found[celli] = true;
+                cells_.append(celli);
+            }
+        }
         const sides kind = w.upper < 0 ? LOWER : w.lower < 0 ? UPPER : BOTH;
         w.place.forPairs
         (

@@ -14,9 +14,11 @@ void Foam::fsi::cellTransfer::findRuns
 )
 {
     DynamicList<run> runs;
+    places_.setSize(map.cells().size());
     forAll(map.cells(), celli)
     {
         const label place = layout.globalIndex(map.cells()[celli]);
+        places_[celli] = place;
         if
         (
             runs.size()

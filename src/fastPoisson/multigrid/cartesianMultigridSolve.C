@@ -4,6 +4,33 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::scalar Foam::fsi::cartesianMultigrid::addSparse
+(
+    const addedTerm& term,
+    const scalarField& p,
+    scalarField& Ap
+) const
+{
+    const labelUList& places = lattice_.transfer().places();
+    const labelUList& cells = *term.cells();
+    for (const label celli : cells)
+    {
+        cellX_[celli] = p[places[celli]];
+        cellAx_[celli] = 0;
+    }
+    term.add(cellAx_, cellX_);
+    scalar dot = 0;
+    for (const label celli : cells)
+    {
+        const label place = places[celli];
+        const scalar added = matrix_.sign()*cellAx_[celli];
+        Ap[place] += added;
+        dot += added*p[place];
+    }
+    return dot;
+}
+
+
 Foam::scalar Foam::fsi::cartesianMultigrid::multiply
 (
     scalarField& p,
@@ -13,11 +40,18 @@ Foam::scalar Foam::fsi::cartesianMultigrid::multiply
 {
     matrix_.halo().fill(p.data());
     scalar dot = product(matrix_.A(), p.cdata(), Ap.data());
+    const cellTransfer& transfer = lattice_.transfer();
     if (term)
     {
-        const cellTransfer& transfer = lattice_.transfer();
-        cellX_.setSize(lattice_.map().cells().size());
-        cellAx_.setSize(cellX_.size());
+        cellX_.setSize(lattice_.map().cells().size(), Zero);
+        cellAx_.setSize(cellX_.size(), Zero);
+    }
+    if (term && term->cells() && transfer.local())
+    {
+        dot += addSparse(*term, p, Ap);
+    }
+    else if (term)
+    {
         transfer.toCells(p.cdata(), 1, cellX_);
         transfer.toCells(Ap.cdata(), matrix_.sign(), cellAx_);
         term->add(cellAx_, cellX_);

@@ -22,6 +22,8 @@ class squares
     const List<labelVector>& cells_;
     label nRow_;
     scalar stiffness_;
+    bool named_;
+    DynamicList<label> inside_;
 
     //- Share of a cell in its object, 0 outside
     scalar share(const label celli) const
@@ -38,12 +40,27 @@ class squares
 
 public:
 
-    squares(const latticeMesh& mesh, label nRow, scalar stiffness)
+    //- named: tell which cells the objects cover
+    squares(const latticeMesh& mesh, label nRow, scalar stiffness, bool named)
     :
         cells_(mesh.cells()),
         nRow_(nRow),
-        stiffness_(stiffness)
-    {}
+        stiffness_(stiffness),
+        named_(named)
+    {
+        forAll(cells_, celli)
+        {
+            if (share(celli) > 0)
+            {
+                inside_.append(celli);
+            }
+        }
+    }
+
+    const labelUList* cells() const override
+    {
+        return named_ ? &inside_ : nullptr;
+    }
 
     //- The row sums of K
     scalarField diagonal() const
@@ -92,10 +109,11 @@ TEST(cartesianMultigrid, solvesWithATerm)
         poissonProblem problem(mesh, {});
         tmp<fvScalarMatrix> eqn(problem.completeEquation());
 
-        for (const scalar stiffness : {0.01, 1.0})
+        for (const label i : {0, 1, 2, 3})
         {
             // b = (A + K) x for a known x
-            const squares term(mesh, 2, stiffness);
+            const scalar stiffness = i < 2 ? 0.01 : 1.0;
+            const squares term(mesh, 2, stiffness, i % 2);
             const scalarField& exact = problem.exact();
             scalarField b(exact.size());
             eqn().Amul
