@@ -183,4 +183,23 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::gradient
 }
 
 
+void Foam::fsi::immersedFluid::correctVelocity
+(
+    volVectorField& U,
+    const volVectorField& lastGradient,
+    const volScalarField& p,
+    const scalar rAU
+) const
+{
+    const tmp<volVectorField> tgradient(gradient(p));
+    const vectorField& g = tgradient().primitiveField();
+    vectorField& u = U.primitiveFieldRef();
+    forAll(u, celli)
+    {
+        u[celli] += rAU*(lastGradient[celli] - g[celli]);
+    }
+    U.correctBoundaryConditions();
+}
+
+
 // ************************************************************************* //

@@ -69,6 +69,13 @@ void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
         {
             continue;
         }
+        const scalar inCell = cellDistance[haloIndex_[mesh.faceOwner()[facei]]];
+        if (mag(inCell) > 2*grid_.spacing())
+        {
+            // All corners are on the same side
+            openness_[facei] = inCell > 0 ? 1 : 0;
+            continue;
+        }
         FixedList<scalar, 4> distance(Zero);
         for (label i = 0; i < nCorners; ++i)
         {
@@ -79,7 +86,7 @@ void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
         (
             distance,
             nCorners,
-            cellDistance[haloIndex_[mesh.faceOwner()[facei]]],
+            inCell,
             cellDistance[acrossFace(facei, grid_.faceDirection(facei))]
         );
         openness_[facei] = open < smallestOpenness ? 0 : open;

@@ -160,25 +160,28 @@ void Foam::fsi::interfaceGeometry::setWallLinks
     const labelList& owner = mesh.faceOwner();
     forAll(owner, facei)
     {
-        if (grid_.faceCorners(facei)[0] < 0)
+        const label own = owner[facei];
+        const bool internal = facei < mesh.nInternalFaces();
+        const label nei = internal ? mesh.faceNeighbour()[facei] : -1;
+        if
+        (
+            internal
+          ? fluidCell_[own] == fluidCell_[nei]
+          : grid_.faceCorners(facei)[0] < 0
+        )
         {
             continue;
         }
         const direction dir = grid_.faceDirection(facei);
         const label sign = mesh.faceAreas()[facei][dir] > 0 ? 1 : -1;
-        const label own = owner[facei];
 
-        if (facei < mesh.nInternalFaces())
+        if (internal && fluidCell_[own])
         {
-            const label nei = mesh.faceNeighbour()[facei];
-            if (fluidCell_[own] && !fluidCell_[nei])
-            {
-                addLink(facei, own, dir, sign);
-            }
-            else if (fluidCell_[nei] && !fluidCell_[own])
-            {
-                addLink(facei, nei, dir, -sign);
-            }
+            addLink(facei, own, dir, sign);
+        }
+        else if (internal)
+        {
+            addLink(facei, nei, dir, -sign);
         }
         else if (fluidCell_[own])
         {
