@@ -33,10 +33,16 @@ class Row:
 
 
 class Case(fsiCase.Case):
-    """A case in the folder of the cases."""
+    """A case in the folder of the cases.
+
+    entries: of constant/fsiProperties, for all cases, after their own."""
+
+    entries = ""
 
     def __init__(self, name, **parameters):
         parameters.setdefault("writeControl", "adjustableRunTime")
+        parameters["properties"] = (parameters.get("properties", "")
+                                    + self.entries)
         super().__init__(os.path.join(FOLDER, name), **parameters)
 
     def text(self, name, text):

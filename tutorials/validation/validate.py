@@ -2,14 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the validation cases named, or all, and writes table.md.
 
+    validate.py [-properties ENTRIES] [NAME...]
+
 The cases are in the modules beside this one; references stand there.
 """
 
+import argparse
 import math
 import sys
 import time
 
 import cavity
+import common
 import cylinder
 import discs
 import lubrication
@@ -58,8 +62,14 @@ def line(row, rows):
             f"{row.minutes:.1f} |")
 
 
-def main(names):
+def main():
     """Runs the cases and writes the table after each row."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("-properties", default="")
+    parser.add_argument("names", nargs="*")
+    options = parser.parse_args()
+    common.Case.entries = " " + options.properties
+    names = options.names
     unknown = [name for name in names if name not in CASES]
     if unknown:
         sys.exit(f"Unknown cases {unknown}; there are {list(CASES)}")
@@ -84,4 +94,4 @@ def main(names):
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())
