@@ -20,7 +20,7 @@ static const dictionary& checked(const dictionary& dict)
         dict,
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
-            "ddtPhiCoeff", "convection", "transposedStress", "shortWaveStress",
+            "faceHistory", "convection", "transposedStress", "shortWaveStress",
             "levelSet",
             "coupling", "contact", "boundaries", "drivingForce", "output"
         }

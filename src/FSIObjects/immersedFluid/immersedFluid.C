@@ -4,6 +4,18 @@
 #include "dictionaryCheck.H"
 #include "levelSetUpdate.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::fsi::immersedFluid::history>
+Foam::fsi::immersedFluid::historyNames
+({
+    {history::fading, "fading"},
+    {history::limited, "limited"},
+    {history::full, "full"},
+    {history::none, "none"}
+});
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::immersedFluid::immersedFluid
@@ -26,22 +38,25 @@ Foam::fsi::immersedFluid::immersedFluid
         geometry.grid().mesh(),
         dimensionedScalar(dimVelocity, Zero)
     ),
-    ddtPhiCoeff_(dict.lookupOrDefault<scalar>("ddtPhiCoeff", -1)),
+    history_
+    (
+        historyNames
+        [
+            readChoice
+            (
+                dict,
+                "faceHistory",
+                "fading",
+                {"fading", "limited", "full", "none"}
+            )
+        ]
+    ),
     wholeFace_
     (
         readChoice(dict, "convection", "wholeFace", {"wholeFace", "openPart"})
      == "wholeFace"
     )
-{
-    // Written so that NaN fails as well
-    if (!(ddtPhiCoeff_ == -1 || (ddtPhiCoeff_ >= 0 && ddtPhiCoeff_ <= 1)))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'ddtPhiCoeff' in dictionary " << dict.name() << " is "
-            << ddtPhiCoeff_ << " but must be -1 (OpenFOAM's own) or from 0 to 1"
-            << exit(FatalIOError);
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -158,20 +158,43 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceVelocity
 }
 
 
-Foam::scalar Foam::fsi::immersedFluid::history
+Foam::scalarField Foam::fsi::immersedFluid::fadingInStep
+(
+    const volVectorField& U,
+    const scalar viscosity
+) const
+{
+    const scalar h = geometry_.grid().spacing();
+    const scalar deltaT = U.time().deltaTValue();
+    const scalar viscous = viscosity*sqr(constant::mathematical::pi/h);
+
+    scalarField fading(U.size());
+    forAll(fading, celli)
+    {
+        fading[celli] = deltaT*(viscous + mag(U[celli])/h);
+    }
+    return fading;
+}
+
+
+Foam::scalar Foam::fsi::immersedFluid::kept
 (
     const scalar velocity,
-    const scalar interpolated
+    const scalar interpolated,
+    const scalar fading
 ) const
 {
     const scalar difference = velocity - interpolated;
+    switch (history_)
+    {
+        case history::fading: return difference/(1 + fading);
+        case history::full:   return difference;
+        case history::none:   return 0;
+        case history::limited: break;
+    }
     return
         difference
-       *(
-            ddtPhiCoeff_ < 0
-          ? 1 - min(mag(difference)/(mag(velocity) + VSMALL), 1.0)
-          : ddtPhiCoeff_
-        );
+       *(1 - min(mag(difference)/(mag(velocity) + VSMALL), 1.0));
 }
 
 
@@ -211,35 +234,21 @@ void Foam::fsi::immersedFluid::storeFaceVelocity
     );
     const surfaceScalarField& open = geometry_.openArea();
     const surfaceScalarField& area = U.mesh().magSf();
-    boolList cutCell(U.size(), false);
-    forAll(cutCell, celli)
-    {
-        cutCell[celli] = !geometry_.fluidCell()[celli];
-    }
-    for (const wallLink& link : geometry_.wallLinks())
-    {
-        cutCell[link.cell] = true;
-    }
-    boolList cutAcross;
-    syncTools::swapBoundaryCellList(U.mesh(), cutCell, cutAcross);
-
-    // Next to walls the difference fades as the slowest shear flow between
-    // walls a cell apart does
-    const scalar fading =
-        sqr(constant::mathematical::pi/geometry_.grid().spacing())*viscosity;
-    const scalar kept = 1/(1 + fading*U.time().deltaTValue());
+    const scalarField fading(fadingInStep(U, viscosity));
+    scalarField across;
+    syncTools::swapBoundaryCellList(U.mesh(), fading, across);
 
     const labelUList& own = U.mesh().owner();
     const labelUList& nei = U.mesh().neighbour();
     forAll(open, facei)
     {
-        const bool cut = cutCell[own[facei]] || cutCell[nei[facei]];
         faceHistory_[facei] =
             open[facei] > 0
-          ? (cut ? kept : 1)*history
+          ? kept
             (
                 phi[facei]/(open[facei]*area[facei]),
-                interpolated[facei]
+                interpolated[facei],
+                0.5*(fading[own[facei]] + fading[nei[facei]])
             )
           : 0;
     }
@@ -251,14 +260,14 @@ void Foam::fsi::immersedFluid::storeFaceVelocity
         const label first = po.patch().start() - U.mesh().nInternalFaces();
         forAll(po, i)
         {
-            const bool cut = cutCell[cells[i]] || cutAcross[first + i];
             ph[i] =
                 po.coupled() && po[i] > 0
-              ? (cut ? kept : 1)*history
+              ? kept
                 (
                     phi.boundaryField()[patchi][i]
                    /(po[i]*area.boundaryField()[patchi][i]),
-                    interpolated.boundaryField()[patchi][i]
+                    interpolated.boundaryField()[patchi][i],
+                    0.5*(fading[cells[i]] + across[first + i])
                 )
               : 0;
         }

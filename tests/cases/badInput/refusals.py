@@ -109,8 +109,8 @@ PROPERTIES = [
     ("feed through too narrow a patch", "boundaries { feed { left { shape "
      "disc; rate 1; velocity (1 0 0); sideGap 0.41; } } }",
      ("sideGap", "never fits", "left")),
-    ("part of a flux that is no part", "ddtPhiCoeff 2;",
-     ("ddtPhiCoeff", "0 to 1")),
+    ("unknown history of faces", "faceHistory most;",
+     ("faceHistory", "most", "limited")),
     ("objects written backwards", "output { objectsEvery -1; }",
      ("objectsEvery", "-1", ">= 0")),
     ("gravity in z", "gravity (0 0 -9.81);", ("gravity", "-9.81", "in z")),

@@ -96,7 +96,7 @@ def pressure_changes(case):
 
 
 FEED = ("boundaries {{ feed {{ left {{ shape disc; velocity (1 0 0); seed 5; "
-        "{} }} }} }}\nddtPhiCoeff 0;\n")
+        "{} }} }} }}\nfaceHistory none;\n")
 
 
 def check_sound(report, case):

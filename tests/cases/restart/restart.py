@@ -14,9 +14,9 @@ import sys
 import fsiCase
 import results
 
-# Of the box: with the history of the faces' velocities (ddtPhiCoeff -1, the
-# default), and without it, where a restart is bitwise exact
-TOLERANCE = {"default": 0, "ddtPhiCoeff 0": 0}
+# Of the box: with the history of the faces' velocities (the default), and
+# without it, where a restart is bitwise exact
+TOLERANCE = {"default": 0, "faceHistory none": 0}
 
 SHAPES = """
 disc
