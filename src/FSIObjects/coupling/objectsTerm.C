@@ -18,7 +18,7 @@ void Foam::fsi::objectsTerm::velocity
     vectorField& v
 ) const
 {
-    system_.walls.transpose(p, nodal_);
+    system_.walls.transposeAtWalls(p, nodal_);
     nodal_ *= system_.fluidDensity;
     system_.toBoundary(nodal_, force_);
 
@@ -45,7 +45,7 @@ void Foam::fsi::objectsTerm::add
     // J' is +1 outward of the lower cell, and p pushes the nodes outward of
     // the fluid with the same sign: K is positive semi-definite
     velocity(x, nodal_);
-    system_.walls.addFlux(nodal_, Ax);
+    system_.walls.addFluxAtWalls(nodal_, Ax);
 }
 
 

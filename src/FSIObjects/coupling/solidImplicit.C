@@ -172,7 +172,7 @@ void Foam::fsi::solidImplicit::solvePressure
 
     // Walls' flux without the pressure
     vectorField oldPart;
-    term_.velocity(oldPressure_, oldPart);
+    term_.velocity(system_.walls.atWalls(oldPressure_), oldPart);
     scalarField wallFlux(p.size());
     system_.walls.flux(wallVelocity_ - oldPart, wallFlux);
 

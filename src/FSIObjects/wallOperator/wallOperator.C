@@ -15,28 +15,45 @@ Foam::fsi::wallOperator::wallOperator(const interfaceGeometry& geometry)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::labelList Foam::fsi::wallOperator::setCells()
+{
+    labelList place(geometry_.grid().mesh().nCells(), -1);
+    for (const wallFace& w : geometry_.wallFaces())
+    {
+        for (const label celli : {w.lower, w.upper})
+        {
+            if (celli >= 0)
+            {
+                place[celli] = 0;
+            }
+        }
+    }
+    cells_.clear();
+    forAll(place, celli)
+    {
+        if (place[celli] >= 0)
+        {
+            place[celli] = cells_.size();
+            cells_.append(celli);
+        }
+    }
+    return place;
+}
+
+
 void Foam::fsi::wallOperator::setEntries()
 {
     for (DynamicList<entry>& entries : entries_)
     {
         entries.clear();
     }
-    cells_.clear();
-    boolList found(geometry_.grid().mesh().nCells(), false);
+    const labelList place(setCells());
     perArea_.setSize(nObjects_);
     perArea_ = Zero;
     for (const wallFace& w : geometry_.wallFaces())
     {
         perArea_[w.place.object] +=
             w.area*(label(w.lower >= 0) + label(w.upper >= 0));
-        for (const label celli : {w.lower, w.upper})
-        {
-            if (celli >= 0 && !found[celli])
-            {
-                found[celli] = true;
-                cells_.append(celli);
-            }
-        }
         const sides kind = w.upper < 0 ? LOWER : w.lower < 0 ? UPPER : BOTH;
         w.place.forPairs
         (
@@ -44,8 +61,8 @@ void Foam::fsi::wallOperator::setEntries()
             {
                 entries_[kind].append
                 ({
-                    w.lower,
-                    w.upper,
+                    w.lower < 0 ? -1 : place[w.lower],
+                    w.upper < 0 ? -1 : place[w.upper],
                     w.place.object,
                     label(3*a + w.dir),
                     label(3*b + w.dir),
@@ -104,11 +121,7 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
 
     setEntries();
     setCuts(surfaces);
-    transposeSums
-    (
-        scalarField(geometry_.grid().mesh().nCells(), 1),
-        uniformForce_
-    );
+    transposeSums(scalarField(cells_.size(), 1), uniformForce_);
     vectorField cut(nNodes_, Zero);
     forAll(cutNodes_, i)
     {
@@ -126,7 +139,7 @@ void Foam::fsi::wallOperator::outsideForce
 ) const
 {
     // The mean pressure of each object, and with it J^T p
-    transposeSums(p.primitiveField(), force);
+    transposeSums(atWalls(p), force);
     force = Zero;
 
     const polyBoundaryMesh& boundary = p.mesh().boundaryMesh();

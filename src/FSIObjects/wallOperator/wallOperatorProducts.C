@@ -3,21 +3,6 @@
 #include "wallOperator.H"
 #include "sumOverRanks.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Entries from one whose cell's values are fetched to one that is summed:
-//  the cells of a wall lie anywhere in a field
-static constexpr label ahead = 16;
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<Foam::fsi::wallOperator::sides Sides>
@@ -29,22 +14,10 @@ void Foam::fsi::wallOperator::addTranspose
 {
     const UList<entry>& entries = entries_[Sides];
     scalar* components = reinterpret_cast<scalar*>(force.begin());
-    forAll(entries, i)
+    for (const entry& w : entries)
     {
-        const entry& next = entries[min(i + ahead, entries.size() - 1)];
-        const entry& w = entries[i];
-        scalar lower = 0;
-        scalar upper = 0;
-        if (Sides != UPPER)
-        {
-            __builtin_prefetch(&p[next.lower]);
-            lower = p[w.lower];
-        }
-        if (Sides != LOWER)
-        {
-            __builtin_prefetch(&p[next.upper]);
-            upper = p[w.upper];
-        }
+        const scalar lower = Sides != UPPER ? p[w.lower] : 0;
+        const scalar upper = Sides != LOWER ? p[w.upper] : 0;
         components[w.placeA] += w.areaA*(lower - upper);
         components[w.placeB] += w.areaB*(lower - upper);
         meanPressure_[w.object] += (w.areaA + w.areaB)*(lower + upper);
@@ -62,21 +35,17 @@ void Foam::fsi::wallOperator::addFlux
 {
     const UList<entry>& entries = entries_[Sides];
     const scalar* components = reinterpret_cast<const scalar*>(v.cdata());
-    forAll(entries, i)
+    for (const entry& w : entries)
     {
-        const entry& next = entries[min(i + ahead, entries.size() - 1)];
-        const entry& w = entries[i];
         const scalar q =
             w.areaA*components[w.placeA] + w.areaB*components[w.placeB];
         const scalar spread = (w.areaA + w.areaB)*netPerArea[w.object];
         if (Sides != UPPER)
         {
-            __builtin_prefetch(&Jv[next.lower], 1);
             Jv[w.lower] += q - spread;
         }
         if (Sides != LOWER)
         {
-            __builtin_prefetch(&Jv[next.upper], 1);
             Jv[w.upper] -= q + spread;
         }
     }
@@ -131,9 +100,27 @@ void Foam::fsi::wallOperator::addFluxLess
 }
 
 
+template<class Product>
+void Foam::fsi::wallOperator::toCells
+(
+    const Product& product,
+    scalarField& Jv
+) const
+{
+    atCells_.setSize(cells_.size());
+    atCells_ = Zero;
+    product(atCells_);
+    Jv = Zero;
+    forAll(cells_, i)
+    {
+        Jv[cells_[i]] = atCells_[i];
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::wallOperator::addFlux
+void Foam::fsi::wallOperator::addFluxAtWalls
 (
     const vectorField& v,
     scalarField& Jv
@@ -156,8 +143,7 @@ void Foam::fsi::wallOperator::flux
     scalarField& Jv
 ) const
 {
-    Jv = Zero;
-    addFlux(v, Jv);
+    toCells([&](scalarField& atWalls) { addFluxAtWalls(v, atWalls); }, Jv);
 }
 
 
@@ -167,12 +153,22 @@ void Foam::fsi::wallOperator::grossFlux
     scalarField& Jv
 ) const
 {
-    Jv = Zero;
-    addFluxLess(scalarField(nObjects_, Zero), v, Jv);
+    const scalarField none(nObjects_, Zero);
+    toCells([&](scalarField& atWalls) { addFluxLess(none, v, atWalls); }, Jv);
 }
 
 
 void Foam::fsi::wallOperator::transpose
+(
+    const scalarField& p,
+    vectorField& f
+) const
+{
+    transposeAtWalls(atWalls(p), f);
+}
+
+
+void Foam::fsi::wallOperator::transposeAtWalls
 (
     const scalarField& p,
     vectorField& f

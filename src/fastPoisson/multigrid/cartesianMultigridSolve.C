@@ -13,21 +13,53 @@ Foam::scalar Foam::fsi::cartesianMultigrid::addSparse
 {
     const labelUList& places = lattice_.transfer().places();
     const labelUList& cells = *term.cells();
-    for (const label celli : cells)
+    termX_.setSize(cells.size());
+    termAx_.setSize(cells.size());
+    forAll(cells, i)
     {
-        cellX_[celli] = p[places[celli]];
-        cellAx_[celli] = 0;
+        termX_[i] = p[places[cells[i]]];
     }
-    term.add(cellAx_, cellX_);
+    termAx_ = Zero;
+    term.add(termAx_, termX_);
     scalar dot = 0;
-    for (const label celli : cells)
+    forAll(cells, i)
     {
-        const label place = places[celli];
-        const scalar added = matrix_.sign()*cellAx_[celli];
-        Ap[place] += added;
-        dot += added*p[place];
+        const scalar added = matrix_.sign()*termAx_[i];
+        Ap[places[cells[i]]] += added;
+        dot += added*termX_[i];
     }
     return dot;
+}
+
+
+void Foam::fsi::cartesianMultigrid::addByCells
+(
+    const addedTerm& term,
+    const scalarField& p,
+    scalarField& Ap
+) const
+{
+    const cellTransfer& transfer = lattice_.transfer();
+    cellX_.setSize(lattice_.map().cells().size());
+    cellAx_.setSize(cellX_.size());
+    transfer.toCells(p.cdata(), 1, cellX_);
+    transfer.toCells(Ap.cdata(), matrix_.sign(), cellAx_);
+    if (const labelUList* cells = term.cells())
+    {
+        termX_ = scalarField(cellX_, *cells);
+        termAx_.setSize(cells->size());
+        termAx_ = Zero;
+        term.add(termAx_, termX_);
+        forAll(*cells, i)
+        {
+            cellAx_[(*cells)[i]] += termAx_[i];
+        }
+    }
+    else
+    {
+        term.add(cellAx_, cellX_);
+    }
+    transfer.toBlock(cellAx_, matrix_.sign(), Ap.data());
 }
 
 
@@ -40,22 +72,13 @@ Foam::scalar Foam::fsi::cartesianMultigrid::multiply
 {
     matrix_.halo().fill(p.data());
     scalar dot = product(matrix_.A(), p.cdata(), Ap.data());
-    const cellTransfer& transfer = lattice_.transfer();
-    if (term)
-    {
-        cellX_.setSize(lattice_.map().cells().size(), Zero);
-        cellAx_.setSize(cellX_.size(), Zero);
-    }
-    if (term && term->cells() && transfer.local())
+    if (term && term->cells() && lattice_.transfer().local())
     {
         dot += addSparse(*term, p, Ap);
     }
     else if (term)
     {
-        transfer.toCells(p.cdata(), 1, cellX_);
-        transfer.toCells(Ap.cdata(), matrix_.sign(), cellAx_);
-        term->add(cellAx_, cellX_);
-        transfer.toBlock(cellAx_, matrix_.sign(), Ap.data());
+        addByCells(*term, p, Ap);
         dot = dotProduct(matrix_.A(), p.cdata(), Ap.cdata());
     }
     return total(dot);

@@ -40,7 +40,8 @@ class squares
 
 public:
 
-    //- named: tell which cells the objects cover
+    //- named: tell which cells the objects cover, and take values of these
+    //  only
     squares(const latticeMesh& mesh, label nRow, scalar stiffness, bool named)
     :
         cells_(mesh.cells()),
@@ -67,11 +68,33 @@ public:
     {
         scalarField ones(cells_.size(), 1);
         scalarField result(cells_.size(), Zero);
-        add(result, ones);
+        addToAll(result, ones);
         return result;
     }
 
     void add(scalarField& Ax, const scalarField& x) const override
+    {
+        if (!named_)
+        {
+            addToAll(Ax, x);
+            return;
+        }
+        ASSERT_EQ(x.size(), inside_.size());
+        scalarField all(cells_.size(), Zero);
+        scalarField result(cells_.size(), Zero);
+        forAll(inside_, i)
+        {
+            all[inside_[i]] = x[i];
+        }
+        addToAll(result, all);
+        forAll(inside_, i)
+        {
+            Ax[i] += result[inside_[i]];
+        }
+    }
+
+    //- Ax += K x for values of all cells
+    void addToAll(scalarField& Ax, const scalarField& x) const
     {
         scalarField total(nRow_*nRow_, Zero);
         forAll(cells_, celli)
@@ -120,7 +143,7 @@ TEST(cartesianMultigrid, solvesWithATerm)
             (
                 b, exact, eqn().boundaryCoeffs(), problem.interfaces(), 0
             );
-            term.add(b, exact);
+            term.addToAll(b, exact);
 
             cartesianMultigrid::loopControls controls;
             controls.tolerance = 1e-11;
