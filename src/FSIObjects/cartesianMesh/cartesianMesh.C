@@ -166,11 +166,15 @@ void Foam::fsi::cartesianMesh::setFaceCorners()
 void Foam::fsi::cartesianMesh::setFaceDirections()
 {
     faceDirection_.setSize(mesh_.nFaces());
+    faceAlong_.setSize(mesh_.nFaces());
     forAll(faceDirection_, facei)
     {
-        const vector S(cmptMag(mesh_.faceAreas()[facei]));
-        faceDirection_[facei] =
+        const vector& area = mesh_.faceAreas()[facei];
+        const vector S(cmptMag(area));
+        const direction d =
             S.x() > S.y() && S.x() > S.z() ? 0 : S.y() > S.z() ? 1 : 2;
+        faceDirection_[facei] = d;
+        faceAlong_[facei] = area[d] > 0;
     }
 }
 

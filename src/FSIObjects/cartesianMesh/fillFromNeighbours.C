@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fillFromNeighbours.H"
-#include "syncTools.H"
+#include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -25,6 +25,7 @@ bool meanOfKnown
     scalar& mean
 )
 {
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
     scalar total = 0, sum = 0;
     for (const label facei : mesh.cells()[celli])
     {
@@ -38,7 +39,7 @@ bool meanOfKnown
             total += w*known[other];
             sum += w*known[other]*values[other];
         }
-        else
+        else if (patches[patches.patchID()[outside]].coupled())
         {
             total += w*coupledKnown[outside];
             sum += w*coupledKnown[outside]*coupledValues[outside];
@@ -63,16 +64,8 @@ Foam::label Foam::fsi::fillFromNeighbours
 )
 {
     scalarList coupledKnown, coupledValues;
-    syncTools::swapBoundaryCellList(mesh, known, coupledKnown);
-    syncTools::swapBoundaryCellList(mesh, values, coupledValues);
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (!patch.coupled())
-        {
-            const label start = patch.start() - mesh.nInternalFaces();
-            SubList<scalar>(coupledKnown, patch.size(), start) = Zero;
-        }
-    }
+    swapCoupledCells(mesh, known, coupledKnown);
+    swapCoupledCells(mesh, values, coupledValues);
 
     DynamicList<label> filled, left;
     DynamicList<scalar> means;

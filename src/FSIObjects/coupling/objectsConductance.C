@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectsConductance.H"
-#include "syncTools.H"
+#include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -28,7 +28,7 @@ Foam::labelList Foam::fsi::objectsConductance::inside() const
 }
 
 
-void Foam::fsi::objectsConductance::addInterior
+void Foam::fsi::objectsConductance::setInterior
 (
     const labelList& own,
     const labelList& neighbour,
@@ -52,13 +52,11 @@ void Foam::fsi::objectsConductance::addInterior
             max(size/(2.5*h + reach), 1.0)
            *min(system_.fluidDensity/shape.density(), 1.0);
     }
-    forAll(conductance, facei)
+    grid.forFaces([&](const label facei)
     {
-        if (own[facei] >= 0 && own[facei] == neighbour[facei])
-        {
-            conductance[facei] = face*factor[own[facei]];
-        }
-    }
+        const bool same = own[facei] >= 0 && own[facei] == neighbour[facei];
+        conductance[facei] = same ? face*factor[own[facei]] : 0;
+    });
 }
 
 
@@ -124,19 +122,19 @@ Foam::fsi::objectsConductance::conductance() const
 
     labelList own(mesh.nFaces()), neighbour(mesh.nFaces());
     labelList across;
-    syncTools::swapBoundaryCellList(mesh, object, across);
-    forAll(own, facei)
+    swapCoupledCells(mesh, object, across);
+    system_.grid.forFaces([&](const label facei)
     {
         own[facei] = object[mesh.faceOwner()[facei]];
         neighbour[facei] =
             facei < nInternal
           ? object[mesh.faceNeighbour()[facei]]
           : across[facei - nInternal];
-    }
+    });
 
-    auto tg = tmp<scalarField>::New(mesh.nFaces(), Zero);
+    auto tg = tmp<scalarField>::New(mesh.nFaces());
     scalarField& g = tg.ref();
-    addInterior(own, neighbour, g);
+    setInterior(own, neighbour, g);
     addWalls(own, neighbour, g);
 
     // The rank of the cell inside has no wall

@@ -73,17 +73,18 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::wholeFlux
 ) const
 {
     const surfaceScalarField& open = geometry_.openArea();
-    const surfaceScalarField whole
+    const tmp<surfaceScalarField> whole
     (
-        faceVelocity(U, wallVelocity, nullptr)*U.mesh().magSf()
+        faceVelocity(U, wallVelocity, nullptr)
     );
+    const surfaceScalarField& area = U.mesh().magSf();
     auto tflux = tmp<surfaceScalarField>::New("convectiveFlux", phi);
     surfaceScalarField& flux = tflux.ref();
     forAll(flux, facei)
     {
         if (open[facei] < 1)
         {
-            flux[facei] = whole[facei];
+            flux[facei] = whole()[facei]*area[facei];
         }
     }
     forAll(flux.boundaryField(), patchi)
@@ -93,7 +94,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::wholeFlux
         {
             if (pf.coupled() && open.boundaryField()[patchi][i] < 1)
             {
-                pf[i] = whole.boundaryField()[patchi][i];
+                pf[i] =
+                    whole().boundaryField()[patchi][i]
+                   *area.boundaryField()[patchi][i];
             }
         }
     }

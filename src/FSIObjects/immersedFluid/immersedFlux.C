@@ -2,31 +2,49 @@
 
 #include "immersedFluid.H"
 #include "mathematicalConstants.H"
-#include "syncTools.H"
+#include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::cutFaceVelocity
+void Foam::fsi::immersedFluid::setCutFaces
 (
     const volVectorField& U,
     const vectorField& wallVelocity,
-    const volVectorField* increment
+    const volVectorField* increment,
+    surfaceScalarField& velocity
 ) const
 {
     const fvMesh& mesh = U.mesh();
-    auto tvelocity = tmp<scalarField>::New(mesh.nFaces(), Zero);
-    scalarField& velocity = tvelocity.ref();
+    const label nInternal = mesh.nInternalFaces();
+    scalarField onBoundary(mesh.nFaces() - nInternal);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (patch.coupled())
+        {
+            SubList<scalar>(onBoundary, patch.size(), patch.start() - nInternal)
+                = Zero;
+        }
+    }
+    const auto set = [&](const label facei, const scalar value)
+    {
+        (
+            facei < nInternal
+          ? velocity[facei]
+          : onBoundary[facei - nInternal]
+        ) = geometry_.grid().faceAlong(facei) ? value : -value;
+    };
 
     // Between a fluid cell's centre and the wall
     for (const wallLink& link : geometry_.wallLinks())
     {
         const scalar wall = link.place.interpolate(wallVelocity, link.dir);
         const scalar part = min(0.5/link.wallDistance, 1.0);
-        velocity[link.face] = (1 - part)*U[link.cell][link.dir] + part*wall;
+        scalar value = (1 - part)*U[link.cell][link.dir] + part*wall;
         if (increment)
         {
-            velocity[link.face] += (*increment)[link.cell][link.dir];
+            value += (*increment)[link.cell][link.dir];
         }
+        set(link.face, value);
     }
 
     // Between two cells with their centres inside objects. Across a coupled
@@ -35,30 +53,47 @@ Foam::tmp<Foam::scalarField> Foam::fsi::immersedFluid::cutFaceVelocity
     {
         const wallFace& w = geometry_.wallFaces()[walli];
         const label own = mesh.faceOwner()[w.face];
-        const bool internal = w.face < mesh.nInternalFaces();
+        const bool internal = w.face < nInternal;
         const label nei = internal ? mesh.faceNeighbour()[w.face] : own;
-        const scalar half = internal ? 1 : 0.5;
-        velocity[w.face] = half*w.place.interpolate(wallVelocity, w.dir);
+        scalar value = w.place.interpolate(wallVelocity, w.dir);
         if (increment)
         {
-            velocity[w.face] +=
-                0.5*half
-               *((*increment)[own][w.dir] + (*increment)[nei][w.dir]);
+            value += 0.5*((*increment)[own][w.dir] + (*increment)[nei][w.dir]);
+        }
+        set(w.face, internal ? value : 0.5*value);
+    }
+    setCutPatchFaces(onBoundary, velocity);
+}
+
+
+void Foam::fsi::immersedFluid::setCutPatchFaces
+(
+    const scalarField& onBoundary,
+    surfaceScalarField& velocity
+) const
+{
+    // The side of a coupled patch that holds the fluid cell tells the other,
+    // whose normal is the opposite. On a patch of the domain the velocity is
+    // the patch's own
+    scalarField across(onBoundary);
+    syncTools::swapBoundaryFaceList(velocity.mesh(), across);
+    const label nInternal = velocity.mesh().nInternalFaces();
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    forAll(velocity.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& pv = velocity.boundaryFieldRef()[patchi];
+        if (pv.coupled())
+        {
+            forAll(pv, i)
+            {
+                if (fluidFace.boundaryField()[patchi][i] < 0.5)
+                {
+                    const label facei = pv.patch().start() + i - nInternal;
+                    pv[i] = onBoundary[facei] - across[facei];
+                }
+            }
         }
     }
-
-    // The side of a coupled patch that holds the fluid cell tells the other
-    SubList<scalar> boundary
-    (
-        velocity,
-        mesh.nFaces() - mesh.nInternalFaces(),
-        mesh.nInternalFaces()
-    );
-    scalarField onBoundary(boundary);
-    syncTools::syncBoundaryFaceList(mesh, onBoundary, plusEqOp<scalar>());
-    boundary = onBoundary;
-
-    return tvelocity;
 }
 
 
@@ -82,7 +117,7 @@ Foam::fsi::immersedFluid::interpolatedVelocity(const volVectorField& U) const
     {
         const direction d = grid.faceDirection(facei);
         const scalar mean = 0.5*(U[own[facei]][d] + U[nei[facei]][d]);
-        velocity[facei] = mesh.Sf()[facei][d] > 0 ? mean : -mean;
+        velocity[facei] = grid.faceAlong(facei) ? mean : -mean;
     }
     forAll(velocity.boundaryField(), patchi)
     {
@@ -107,10 +142,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceVelocity
     const volVectorField* increment
 ) const
 {
-    const fvMesh& mesh = U.mesh();
-    const scalarField cut(cutFaceVelocity(U, wallVelocity, increment));
-    const surfaceScalarField& fluidFace = geometry_.fluidFace();
-
     tmp<surfaceScalarField> tvelocity;
     if (increment)
     {
@@ -124,36 +155,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceVelocity
     {
         tvelocity = interpolatedVelocity(U);
     }
-    surfaceScalarField& velocity = tvelocity.ref();
-
-    const auto set = [&](const label facei, scalar& value)
-    {
-        const direction dir = geometry_.grid().faceDirection(facei);
-        value = mesh.faceAreas()[facei][dir] > 0 ? cut[facei] : -cut[facei];
-    };
-    forAll(mesh.owner(), facei)
-    {
-        if (fluidFace[facei] < 0.5)
-        {
-            set(facei, velocity[facei]);
-        }
-    }
-    forAll(velocity.boundaryField(), patchi)
-    {
-        // On a patch of the domain the velocity is the patch's own
-        fvsPatchScalarField& pv = velocity.boundaryFieldRef()[patchi];
-        if (pv.coupled())
-        {
-            forAll(pv, i)
-            {
-                if (fluidFace.boundaryField()[patchi][i] < 0.5)
-                {
-                    set(pv.patch().start() + i, pv[i]);
-                }
-            }
-        }
-    }
-
+    setCutFaces(U, wallVelocity, increment, tvelocity.ref());
     return tvelocity;
 }
 
@@ -236,7 +238,7 @@ void Foam::fsi::immersedFluid::storeFaceVelocity
     const surfaceScalarField& area = U.mesh().magSf();
     const scalarField fading(fadingInStep(U, viscosity));
     scalarField across;
-    syncTools::swapBoundaryCellList(U.mesh(), fading, across);
+    swapCoupledCells(U.mesh(), fading, across);
 
     const labelUList& own = U.mesh().owner();
     const labelUList& nei = U.mesh().neighbour();

@@ -1,39 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "swapCoupledCells.H"
 #include "extrapolatedCalculatedFvPatchFields.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::immersedFluid::addCoupledGradients
 (
-    const volVectorField& gradient,
-    vectorField& sum,
-    scalarField& count
+    volVectorField& gradient,
+    List<direction>& count
 ) const
 {
     const boolList& fluid = geometry_.fluidCell();
-
-    // A neighbour across a coupled patch is fluid where it has a link, or
-    // where the mask says so; the mask of the face is 0 for a solid cell here
-    const volScalarField mask(geometry_.fluidMask());
-    forAll(mask.boundaryField(), patchi)
+    const fvMesh& mesh = gradient.mesh();
+    boolList fluidAcross;
+    swapCoupledCells(mesh, fluid, fluidAcross);
+    forAll(gradient.boundaryField(), patchi)
     {
-        const fvPatchScalarField& pm = mask.boundaryField()[patchi];
-        if (pm.coupled())
+        const fvPatchVectorField& pg = gradient.boundaryField()[patchi];
+        if (pg.coupled())
         {
-            const scalarField across(pm.patchNeighbourField());
-            const vectorField g
-            (
-                gradient.boundaryField()[patchi].patchNeighbourField()
-            );
-            const labelUList& cells = pm.patch().faceCells();
+            const label first = pg.patch().start() - mesh.nInternalFaces();
+            const vectorField g(pg.patchNeighbourField());
+            const labelUList& cells = pg.patch().faceCells();
             forAll(cells, i)
             {
-                if (across[i] > 0.5 && !fluid[cells[i]])
+                if (fluidAcross[first + i] && !fluid[cells[i]])
                 {
-                    sum[cells[i]] += g[i];
-                    count[cells[i]] += 1;
+                    gradient[cells[i]] += g[i];
+                    ++count[cells[i]];
                 }
             }
         }
@@ -46,40 +42,33 @@ void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
     const fvMesh& mesh = gradient.mesh();
     const boolList& fluid = geometry_.fluidCell();
 
-    // Sums over fluid neighbours of each solid cell that has any
-    vectorField sum(mesh.nCells(), Zero);
-    scalarField count(mesh.nCells(), Zero);
-    const auto add = [&](const label celli, const vector& g)
+    // Mean over the fluid neighbours of each solid cell that has any
+    forAll(fluid, celli)
     {
         if (!fluid[celli])
         {
-            sum[celli] += g;
-            count[celli] += 1;
+            gradient[celli] = Zero;
         }
-    };
-
+    }
+    List<direction> count(mesh.nCells(), direction(0));
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
     forAll(own, facei)
     {
         if (fluid[own[facei]] != fluid[nei[facei]])
         {
-            add(own[facei], gradient[nei[facei]]);
-            add(nei[facei], gradient[own[facei]]);
+            const bool out = fluid[own[facei]];
+            const label solid = out ? nei[facei] : own[facei];
+            gradient[solid] += gradient[out ? own[facei] : nei[facei]];
+            ++count[solid];
         }
     }
-
-    addCoupledGradients(gradient, sum, count);
-
+    addCoupledGradients(gradient, count);
     forAll(count, celli)
     {
-        if (count[celli] > 0)
+        if (count[celli] > 1)
         {
-            gradient[celli] = sum[celli]/count[celli];
-        }
-        else if (!fluid[celli])
-        {
-            gradient[celli] = Zero;
+            gradient[celli] /= scalar(count[celli]);
         }
     }
     gradient.correctBoundaryConditions();
@@ -103,7 +92,7 @@ void Foam::fsi::immersedFluid::sumFaceGradients
     {
         const direction d = grid.faceDirection(facei);
         const scalar w = open[facei];
-        const scalar forwards = mesh.Sf()[facei][d] > 0 ? w : -w;
+        const scalar forwards = grid.faceAlong(facei) ? w : -w;
         const scalar g = forwards*(p[nei[facei]] - p[own[facei]])*perSpacing;
         sum[own[facei]][d] += g;
         sum[nei[facei]][d] += g;

@@ -51,7 +51,7 @@ Foam::label Foam::fsi::interfaceGeometry::acrossFace
     const fvMesh& mesh = grid_.mesh();
     const label stride = grid_.cells(1).stride(dir);
     const label own = haloIndex_[mesh.faceOwner()[facei]];
-    return mesh.faceAreas()[facei][dir] > 0 ? own + stride : own - stride;
+    return grid_.faceAlong(facei) ? own + stride : own - stride;
 }
 
 
@@ -62,19 +62,15 @@ void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
     const scalarField& cornerDistance = levelSet.cornerDistance();
     const label nCorners = grid_.nDims() == 2 ? 2 : 4;
 
-    forAll(openness_, facei)
+    grid_.forFaces([&](const label facei)
     {
         const FixedList<label, 4>& corners = grid_.faceCorners(facei);
-        if (corners[0] < 0)
-        {
-            continue;
-        }
         const scalar inCell = cellDistance[haloIndex_[mesh.faceOwner()[facei]]];
         if (mag(inCell) > 2*grid_.spacing())
         {
             // All corners are on the same side
             openness_[facei] = inCell > 0 ? 1 : 0;
-            continue;
+            return;
         }
         FixedList<scalar, 4> distance(Zero);
         for (label i = 0; i < nCorners; ++i)
@@ -90,7 +86,7 @@ void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
             cellDistance[acrossFace(facei, grid_.faceDirection(facei))]
         );
         openness_[facei] = open < smallestOpenness ? 0 : open;
-    }
+    });
 
     // On cyclic patches the distances of both sides differ by round-off
     SubList<scalar> boundary

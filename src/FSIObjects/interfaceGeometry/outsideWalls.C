@@ -31,7 +31,7 @@ void Foam::fsi::interfaceGeometry::setOutsideWalls
             wallFace w;
             w.face = facei;
             w.dir = grid_.faceDirection(facei);
-            const bool upwards = mesh.faceAreas()[facei][w.dir] > 0;
+            const bool upwards = grid_.faceAlong(facei);
             w.lower = upwards ? celli : -1;
             w.upper = upwards ? -1 : celli;
             w.area = (1 - openness_[facei])*mag(mesh.faceAreas()[facei]);

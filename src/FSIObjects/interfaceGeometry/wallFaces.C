@@ -64,7 +64,7 @@ void Foam::fsi::interfaceGeometry::setWallFaces
     const labelList& nearestFace = levelSet.nearestFace();
 
     wallFaces_.clear();
-    forAll(openness_, facei)
+    grid_.forFaces([&](const label facei)
     {
         const label own = owner[facei];
         const bool internal = facei < mesh.nInternalFaces();
@@ -74,11 +74,11 @@ void Foam::fsi::interfaceGeometry::setWallFaces
 
         if (openness_[facei] >= 1 || !(ownActive || neiActive))
         {
-            continue;
+            return;
         }
 
         const direction dir = grid_.faceDirection(facei);
-        const bool upwards = mesh.faceAreas()[facei][dir] > 0;
+        const bool upwards = grid_.faceAlong(facei);
         const label lower = upwards ? own : nei;
         const label upper = upwards ? nei : own;
 
@@ -96,7 +96,7 @@ void Foam::fsi::interfaceGeometry::setWallFaces
             nearestFace[acrossFace(facei, dir)]
         );
         wallFaces_.append(w);
-    }
+    });
 }
 
 
@@ -173,7 +173,7 @@ void Foam::fsi::interfaceGeometry::setWallLinks
             continue;
         }
         const direction dir = grid_.faceDirection(facei);
-        const label sign = mesh.faceAreas()[facei][dir] > 0 ? 1 : -1;
+        const label sign = grid_.faceAlong(facei) ? 1 : -1;
 
         if (internal && fluidCell_[own])
         {
