@@ -28,6 +28,12 @@ COARSE = 0.08
 # faces keep their history, 0.0020 where they do not, 0.0028 at 1/256
 KEPT = 0.0021
 
+# Drag of DFG 2D-1 at 10 cells per diameter: the interval of the benchmark's
+# participants, 5.57 to 5.59, grown to what the table asks for at 20. With
+# OpenFOAM's limiter of the faces' history it is 1.8 % off, and depends on the
+# time step
+FIXED = 0.01
+
 # A disc that moves at 8 cells per diameter; solids4foam is 5 % off at 10
 MOVING = 0.05
 
@@ -96,6 +102,8 @@ def main(folder):
         check(report, row, COARSE)
     for row in rows(cylinder.translating, 1):
         check(report, row, MOVING)
+    for row in rows(cylinder.steady, 1):
+        check(report, row, FIXED*row.reference)
 
 
 if __name__ == "__main__":
