@@ -42,13 +42,7 @@ Foam::fsi::immersedFluid::immersedFluid
     (
         historyNames
         [
-            readChoice
-            (
-                dict,
-                "faceHistory",
-                "fading",
-                {"fading", "limited", "full", "none"}
-            )
+            readChoice(dict, "faceHistory", "fading", historyNames.names())
         ]
     ),
     wholeFace_
