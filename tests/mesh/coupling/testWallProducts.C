@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Products of walls and links with the objects' nodes, on cells of size 1
+// Products of walls and links with the objects' nodes, and the gradient beside
+// them, on cells of size 1
 
 #include <gtest/gtest.h>
 
 #include "boxMesh.H"
 #include "discSurfaces.H"
+#include "immersedFluid.H"
 #include "levelSetUpdate.H"
 #include "linkOperator.H"
 #include "wallOperator.H"
@@ -189,6 +191,43 @@ TEST(linkOperator, sumsTheLinks)
         operation.addForce(density, found);
         EXPECT_LT(max(mag(found - force)), 1e-12);
         EXPECT_GT(max(mag(force)), 0.1);
+    }
+}
+
+
+TEST(immersedFluid, gradientOfALinearPressure)
+{
+    const vector slope(2, -3, 0);
+    for (direction split = 0; split < 2; ++split)
+    {
+        twoDiscs discs(split);
+        const fvMesh& mesh = discs.grid().mesh();
+        volScalarField p
+        (
+            IOobject("p", mesh.time().timeName(), mesh),
+            mesh,
+            dimensionedScalar(dimless, Zero),
+            "zeroGradient"
+        );
+        p.primitiveFieldRef() = slope & mesh.C().primitiveField();
+        p.correctBoundaryConditions();
+        const immersedFluid fluid(discs.geometry, dictionary());
+        const volVectorField gradient(fluid.gradient(p));
+
+        // Fluid cells, and solid ones beside them, have it; others have none
+        const boolList& isFluid = discs.geometry.fluidCell();
+        label nBeside = 0;
+        forAll(gradient, celli)
+        {
+            const scalar size = mag(gradient[celli]);
+            if (isFluid[celli] || size > 0)
+            {
+                EXPECT_LT(mag(gradient[celli] - slope), 1e-10)
+                    << mesh.C()[celli].x() << ' ' << mesh.C()[celli].y();
+                nBeside += !isFluid[celli];
+            }
+        }
+        EXPECT_GT(returnReduce(nBeside, sumOp<label>()), 60);
     }
 }
 
