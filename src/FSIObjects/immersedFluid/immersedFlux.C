@@ -16,6 +16,8 @@ void Foam::fsi::immersedFluid::setCutFaces
 {
     const fvMesh& mesh = U.mesh();
     const label nInternal = mesh.nInternalFaces();
+
+    // Not set on empty patches, which are large
     scalarField onBoundary(mesh.nFaces() - nInternal);
     for (const polyPatch& patch : mesh.boundaryMesh())
     {

@@ -3,7 +3,7 @@
 #include "interfaceGeometry.H"
 #include "wallTreatment.H"
 #include "levelSetUpdate.H"
-#include "syncTools.H"
+#include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -142,21 +142,24 @@ void Foam::fsi::interfaceGeometry::setFields(const levelSetUpdate& levelSet)
 {
     setSurfaceField(openArea_, openness_);
 
-    // Both cells fluid
-    const volScalarField mask(fluidMask());
-    const labelUList& own = grid_.mesh().owner();
-    const labelUList& nei = grid_.mesh().neighbour();
+    // Both cells fluid; those across are judged by their owners
+    const fvMesh& mesh = grid_.mesh();
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
     forAll(own, facei)
     {
-        fluidFace_[facei] = mask[own[facei]]*mask[nei[facei]];
+        fluidFace_[facei] = fluidCell_[own[facei]] && fluidCell_[nei[facei]];
     }
-    forAll(fluidFace_.boundaryField(), patchi)
+    boolList across;
+    swapCoupledCells(mesh, fluidCell_, across);
+    for (fvsPatchScalarField& pf : fluidFace_.boundaryFieldRef())
     {
-        const fvPatchScalarField& pm = mask.boundaryField()[patchi];
-        fluidFace_.boundaryFieldRef()[patchi] =
-            pm.coupled()
-          ? pm.patchInternalField()*pm.patchNeighbourField()
-          : pm.patchInternalField();
+        const labelUList& cells = pf.patch().faceCells();
+        const label first = pf.patch().start() - mesh.nInternalFaces();
+        forAll(pf, i)
+        {
+            pf[i] = fluidCell_[cells[i]] && across[first + i];
+        }
     }
 }
 
@@ -237,24 +240,6 @@ void Foam::fsi::interfaceGeometry::update
     setWallLinks(levelSet, surfaces);
     setInnerFaces();
     setOutsideWalls(levelSet, surfaces);
-}
-
-
-Foam::tmp<Foam::volScalarField> Foam::fsi::interfaceGeometry::fluidMask() const
-{
-    auto tmask = tmp<volScalarField>::New
-    (
-        IOobject("fluidMask", grid_.mesh().time().timeName(), grid_.mesh()),
-        grid_.mesh(),
-        dimensionedScalar(dimless, Zero)
-    );
-    volScalarField& mask = tmask.ref();
-    forAll(fluidCell_, celli)
-    {
-        mask[celli] = fluidCell_[celli] ? 1 : 0;
-    }
-    mask.correctBoundaryConditions();
-    return tmask;
 }
 
 

@@ -157,20 +157,14 @@ void Foam::fsi::interfaceGeometry::setWallLinks
     };
 
     wallLinks_.clear();
-    const labelList& owner = mesh.faceOwner();
-    forAll(owner, facei)
+    grid_.forFaces([&](const label facei)
     {
-        const label own = owner[facei];
+        const label own = mesh.faceOwner()[facei];
         const bool internal = facei < mesh.nInternalFaces();
         const label nei = internal ? mesh.faceNeighbour()[facei] : -1;
-        if
-        (
-            internal
-          ? fluidCell_[own] == fluidCell_[nei]
-          : grid_.faceCorners(facei)[0] < 0
-        )
+        if (internal && fluidCell_[own] == fluidCell_[nei])
         {
-            continue;
+            return;
         }
         const direction dir = grid_.faceDirection(facei);
         const label sign = grid_.faceAlong(facei) ? 1 : -1;
@@ -198,7 +192,7 @@ void Foam::fsi::interfaceGeometry::setWallLinks
                 addLink(facei, own, dir, sign);
             }
         }
-    }
+    });
 }
 
 

@@ -5,13 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "boxMesh.H"
-#include "discSurfaces.H"
+#include "discsInBox.H"
 #include "immersedFluid.H"
-#include "levelSetUpdate.H"
 #include "linkOperator.H"
 #include "wallOperator.H"
-#include "wallTreatment.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -26,72 +23,42 @@ scalar any(const point& p)
 }
 
 
-//- Two discs less than two cells apart, and what walls make of them
+//- Two discs less than two cells apart, and values of cells and nodes
 class twoDiscs
+:
+    public discsInBox
 {
-    boxMesh box_;
-    cartesianMesh grid_;
-    autoPtr<wallTreatment> wall_;
-    autoPtr<levelSetUpdate> levelSet_;
-
 public:
 
-    surfaceSet surfaces;
-    interfaceGeometry geometry;
-
-    //- Values of cells and nodes
     scalarField p;
     volVectorField U;
     vectorField v;
 
     explicit twoDiscs(const direction split)
     :
-        box_(labelVector(32, 20, 1), 2, layout(split)),
-        grid_(box_.mesh()),
-        wall_(wallTreatment::New(dictionary())),
-        levelSet_(levelSetUpdate::New(grid_, dictionary())),
-        surfaces
-        (
-            discSurfaces
-            (
-                List<point>({point(8.3, 10.2, 0), point(23.9, 9.7, 0)}),
-                7.1,
-                96
-            )
-        ),
-        geometry(grid_, *wall_),
-        p(box_.mesh().nCells()),
+        discsInBox(split),
+        p(mesh().nCells()),
         U
         (
-            IOobject("U", box_.mesh().time().timeName(), box_.mesh()),
-            box_.mesh(),
+            IOobject("U", mesh().time().timeName(), mesh()),
+            mesh(),
             dimensionedVector(dimVelocity, Zero)
-        ),
-        v(surfaces.points().size())
+        )
     {
-        levelSet_->initialise(surfaces);
-        geometry.update(*levelSet_, surfaces);
+        move({point(8.3, 10.2, 0), point(23.9, 9.7, 0)});
         forAll(p, celli)
         {
-            const point& c = box_.mesh().C()[celli];
+            const point& c = mesh().C()[celli];
             p[celli] = any(c);
             U[celli] = vector(any(2*c), any(3*c), 0);
         }
+        v.setSize(surfaces().points().size());
         forAll(v, nodei)
         {
-            const point& x = surfaces.points()[nodei];
+            const point& x = surfaces().points()[nodei];
             v[nodei] = vector(any(x), any(2*x), 0);
         }
     }
-
-    static boxLayout layout(const direction split)
-    {
-        boxLayout result;
-        result.splitDirection = split;
-        return result;
-    }
-
-    const cartesianMesh& grid() const { return grid_; }
 };
 
 
@@ -109,8 +76,8 @@ TEST(wallOperator, isTheTransposeOfItsTranspose)
     for (direction split = 0; split < 2; ++split)
     {
         twoDiscs discs(split);
-        wallOperator walls(discs.geometry);
-        walls.update(discs.surfaces);
+        wallOperator walls(discs.geometry());
+        walls.update(discs.surfaces());
 
         scalarField Jv(discs.p.size());
         vectorField f;
@@ -131,8 +98,8 @@ TEST(wallOperator, isTheTransposeOfItsTranspose)
 TEST(wallOperator, sameAtWalls)
 {
     twoDiscs discs(0);
-    wallOperator walls(discs.geometry);
-    walls.update(discs.surfaces);
+    wallOperator walls(discs.geometry());
+    walls.update(discs.surfaces());
     const labelUList& cells = walls.cells();
     EXPECT_TRUE(std::is_sorted(cells.begin(), cells.end()));
 
@@ -160,7 +127,7 @@ TEST(linkOperator, sumsTheLinks)
     for (direction split = 0; split < 2; ++split)
     {
         twoDiscs discs(split);
-        const UList<wallLink>& links = discs.geometry.wallLinks();
+        const UList<wallLink>& links = discs.geometry().wallLinks();
         fvVectorMatrix equation(discs.U, dimVolume*dimAcceleration);
         equation.diag() = 2;
         equation.upper() = 0;
@@ -201,7 +168,7 @@ TEST(immersedFluid, gradientOfALinearPressure)
     for (direction split = 0; split < 2; ++split)
     {
         twoDiscs discs(split);
-        const fvMesh& mesh = discs.grid().mesh();
+        const fvMesh& mesh = discs.mesh();
         volScalarField p
         (
             IOobject("p", mesh.time().timeName(), mesh),
@@ -211,11 +178,11 @@ TEST(immersedFluid, gradientOfALinearPressure)
         );
         p.primitiveFieldRef() = slope & mesh.C().primitiveField();
         p.correctBoundaryConditions();
-        const immersedFluid fluid(discs.geometry, dictionary());
+        const immersedFluid fluid(discs.geometry(), dictionary());
         const volVectorField gradient(fluid.gradient(p));
 
         // Fluid cells, and solid ones beside them, have it; others have none
-        const boolList& isFluid = discs.geometry.fluidCell();
+        const boolList& isFluid = discs.geometry().fluidCell();
         label nBeside = 0;
         forAll(gradient, celli)
         {
