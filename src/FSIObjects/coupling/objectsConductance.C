@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectsConductance.H"
+#include "mathematicalConstants.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -35,6 +36,7 @@ void Foam::fsi::objectsConductance::setInterior
     scalarField& conductance
 ) const
 {
+    using constant::mathematical::pi;
     const cartesianMesh& grid = system_.grid;
     const scalar h = grid.spacing();
     const scalar face =
@@ -45,11 +47,12 @@ void Foam::fsi::objectsConductance::setInterior
     {
         const shapeTemplate& shape =
             system_.objects.shape(system_.objects.objectGroup(objecti));
-        const scalar size = pow(shape.referenceVolume(), 1.0/grid.nDims());
+        const scalar S = system_.objects.surfaces().surfaceArea(objecti);
+        const scalar P = grid.nDims() == 2 ? S : std::sqrt(pi*S);
         const scalar reach =
             system_.deltaT()*std::sqrt(shape.youngsModulus()/shape.density());
         factor[objecti] =
-            max(size/(2.5*h + reach), 1.0)
+            max(0.56*P*h/sqr(reach + h), 1.0)
            *min(system_.fluidDensity/shape.density(), 1.0);
     }
     grid.forFaces([&](const label facei)

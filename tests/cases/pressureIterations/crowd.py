@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Iterations of the pressure equation with discs of the fluid's density on
+"""Iterations of the pressure equation with objects of the fluid's density on
 40 % of a driven cavity: at most 20 to 1e-6, soft and stiff, few discs and many,
-and on two ranks as many as on one.
+red cells, and on two ranks as many as on one.
 
     crowd.py FOLDER
 """
@@ -18,22 +18,27 @@ import fsiCase
 LIMIT = 20
 STEPS = 6
 
-# Number of discs, cells per side, modulus over density times speed squared
-CASES = ((1, 64, 0.2), (16, 128, 0.2), (16, 128, 2e3), (64, 192, 0.2))
+# Area of an outline of radius 1
+AREA = {"circle": math.pi, "biconcave": 0.891}
+
+# Outline, number, cells per side, modulus over density times speed squared
+CASES = (("circle", 1, 64, 0.2), ("circle", 16, 128, 0.2),
+         ("circle", 16, 128, 2e3), ("circle", 64, 192, 0.2),
+         ("biconcave", 12, 256, 8))
 
 
-def crowd(path, discs, n, modulus):
-    """A case with discs packed at random, at least a cell apart."""
-    radius = math.sqrt(0.4/math.pi/discs)
+def crowd(path, outline, number, n, modulus):
+    """A case with objects packed at random, at least a cell apart."""
+    radius = math.sqrt(0.4/AREA[outline]/number)
     step = 0.25/n
     return fsiCase.Case(
         path, cells=(n, n), density=1000, viscosity=0.01,
         walls={"top": "(1 0 0)"},
-        shapes=f"disc {{ shape {{ type circle; radius {radius:.6g}; }} "
+        shapes=f"disc {{ shape {{ type {outline}; radius {radius:.6g}; }} "
                f"material {{ density 1000; E {1000*modulus}; }} }}",
         placements=("discs { type listed; shape disc; objects "
-                    "( { centre (0.5 0.5 0); } ); }" if discs == 1 else
-                    f"discs {{ type packed; shape disc; number {discs}; "
+                    "( { centre (0.5 0.5 0); } ); }" if number == 1 else
+                    f"discs {{ type packed; shape disc; number {number}; "
                     f"minimumGap {1/n}; wallGap {1/n}; sweeps 20; }}"),
         deltaT=step, endTime=step*(STEPS + 0.5), timePrecision=10,
         p_tolerance=1e-6)
@@ -48,10 +53,10 @@ def iterations(log):
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
-    for discs, n, modulus in CASES:
-        name = f"{discs} discs, modulus {modulus:g}"
-        case = crowd(os.path.join(folder, f"{discs}-{modulus:g}"), discs, n,
-                     modulus)
+    for outline, number, n, modulus in CASES:
+        name = f"{number} {outline}, modulus {modulus:g}"
+        case = crowd(os.path.join(folder, f"{outline}-{number}-{modulus:g}"),
+                     outline, number, n, modulus)
         log = (report.attempt(name, case.set_up)
                and report.attempt(name, case.run, "fsiPisoFoam"))
         if not log:
@@ -59,7 +64,7 @@ def main(folder):
         count = iterations(log)
         print(f"    {name}: {count} iterations")
         report.check(name, count <= LIMIT, f"{count} iterations")
-        if (discs, modulus) == (16, 0.2):
+        if (number, modulus) == (16, 0.2):
             check_ranks(report, case, count)
 
 
