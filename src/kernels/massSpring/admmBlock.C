@@ -88,13 +88,75 @@ void Foam::fsi::admmSolver::inertialResidual()
 
 
 template<int lanes>
-Foam::scalar Foam::fsi::admmSolver::addResidual()
+void Foam::fsi::admmSolver::startWithMomentum()
+{
+    laneArray<lanes> missing[2];
+    for (int i = 0; i < 2; ++i)
+    {
+        missing[i] = laneArray<lanes>::Zero();
+        forAll(masses_, row)
+        {
+            missing[i] += masses_[row]
+               *(
+                    at<lanes>(inertial_, 2*row + i)
+                  - at<lanes>(change_, 2*row + i)
+                );
+        }
+        missing[i] /= sum(masses_);
+    }
+    for (label place = 0; place < 2*masses_.size(); ++place)
+    {
+        at<lanes>(change_, place) += missing[place % 2];
+    }
+}
+
+
+template<int lanes>
+void Foam::fsi::admmSolver::setResidual(const label iteration)
+{
+    inertialResidual<lanes>();
+    if (shape_.admm().quasiNewton)
+    {
+        springStep<lanes, admmStep::force>();
+        elementStep<lanes, admmStep::force>();
+    }
+    else if (iteration == 0)
+    {
+        springStep<lanes, admmStep::start>();
+        elementStep<lanes, admmStep::start>();
+    }
+    else
+    {
+        springStep<lanes, admmStep::local>();
+        elementStep<lanes, admmStep::local>();
+    }
+}
+
+
+template<int lanes>
+Foam::scalar Foam::fsi::admmSolver::globalStep()
 {
     const label n = 2*lanes*shape_.nNodes();
     Eigen::Map<Eigen::ArrayXd> change(change_.data(), n);
     Eigen::Map<const Eigen::ArrayXd> residual(residual_.cdata(), n);
-    change += residual;
-    return shape_.admm().tolerance > 0 ? residual.abs().maxCoeff() : GREAT;
+
+    if (shape_.admm().quasiNewton)
+    {
+        acceleration_.keepResidual(residual_);
+        factor_->solveRows<2*lanes>(residual_.data());
+        acceleration_.step<lanes>
+        (
+            (8*shape_.admm().areaWeight/at<lanes>(stretch_, 0)).min(1),
+            residual_,
+            change_
+        );
+    }
+    else
+    {
+        factor_->solveRows<2*lanes>(residual_.data());
+        change += residual;
+    }
+    return residual.abs().maxCoeff()/shape_.nodeSpacing();
 }
 
 
@@ -131,8 +193,6 @@ void Foam::fsi::admmSolver::solveBlock
     Eigen::MatrixXd& v
 )
 {
-    const scalar smallest = shape_.admm().tolerance*shape_.nodeSpacing();
-
     load<lanes>(s, copyi);
     if (viscousRatio_ > 0)
     {
@@ -143,28 +203,25 @@ void Foam::fsi::admmSolver::solveBlock
     }
     setRestLengths<lanes>(s, copyi);
 
-    label iteration = 0;
-    for (; iteration < shape_.admm().iterations; ++iteration)
+    if (shape_.admm().quasiNewton)
     {
-        inertialResidual<lanes>();
-        if (iteration == 0)
-        {
-            springStep<lanes, true>();
-            elementStep<lanes, true>();
-        }
-        else
-        {
-            springStep<lanes, false>();
-            elementStep<lanes, false>();
-        }
-        factor_->solveRows<2*lanes>(residual_.data());
-        if (addResidual<lanes>() < smallest)
-        {
-            ++iteration;
-            break;
-        }
+        startWithMomentum<lanes>();
+        acceleration_.start(2*lanes*shape_.nNodes());
+    }
+    label iteration = 0;
+    scalar change = GREAT;
+    while
+    (
+        iteration < shape_.admm().iterations
+     && change > shape_.admm().tolerance
+    )
+    {
+        setResidual<lanes>(iteration);
+        change = globalStep<lanes>();
+        ++iteration;
     }
     nIterations_ = max(nIterations_, iteration);
+    lastChange_ = max(lastChange_, change);
 
     restoreAngularMomentum<lanes>();
     store<lanes>(copyi, v);

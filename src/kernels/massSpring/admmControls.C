@@ -7,7 +7,12 @@
 
 Foam::fsi::admmControls::admmControls(const dictionary& dict)
 :
-    iterations(readAtLeast(dict, "iterations", 10, 1)),
+    quasiNewton
+    (
+        readChoice(dict, "scheme", "ADMM", {"ADMM", "quasiNewton"})
+     == "quasiNewton"
+    ),
+    iterations(readAtLeast(dict, "iterations", quasiNewton ? 8 : 10, 1)),
     tolerance(readNonNegative(dict, "tolerance", 0)),
     springWeight(readPositive(dict, "springWeight", 1)),
     areaWeight(readPositive(dict, "areaWeight", 0.5)),
@@ -22,7 +27,10 @@ Foam::fsi::admmControls::admmControls(const dictionary& dict)
     checkKeys
     (
         dict,
-        {"iterations", "tolerance", "springWeight", "areaWeight", "rotation"}
+        {
+            "scheme", "iterations", "tolerance", "springWeight", "areaWeight",
+            "rotation"
+        }
     );
 }
 
@@ -32,6 +40,7 @@ Foam::fsi::admmControls::admmControls(const dictionary& dict)
 void Foam::fsi::admmControls::write(Ostream& os) const
 {
     os.beginBlock("admm");
+    os.writeEntry("scheme", word(quasiNewton ? "quasiNewton" : "ADMM"));
     os.writeEntry("iterations", iterations);
     os.writeEntry("tolerance", tolerance);
     os.writeEntry("springWeight", springWeight);

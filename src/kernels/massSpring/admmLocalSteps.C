@@ -59,16 +59,31 @@ static inline void spread
 }
 
 
+//- Bound of the second derivative of (det F - 1)^2/2 over all directions
+template<int lanes>
+static inline laneArray<lanes> secondDerivative(const laneArray<lanes>* F)
+{
+    return
+        F[0]*F[0] + F[1]*F[1] + F[2]*F[2] + F[3]*F[3]
+      + (F[0]*F[3] - F[1]*F[2] - 1).abs();
+}
+
+
 //- Put a new dual variable u in the place of the old one. At the start u is
-//  (dV/dz)/w^2 and -u is returned, later it is y - z and z - u - D x is
-template<bool atStart, int lanes>
+//  (dV/dz)/w^2 and -u is returned, later it is y - z and z - u - D x is. The
+//  force needs no u
+template<admmStep step, int lanes>
 static inline laneArray<lanes> updateDual
 (
     const laneArray<lanes>& dual,
     Eigen::Map<laneArray<lanes>> u
 )
 {
-    if (atStart)
+    if (step == admmStep::force)
+    {
+        return -dual;
+    }
+    if (step == admmStep::start)
     {
         u = dual;
         return -u;
@@ -84,7 +99,7 @@ static inline laneArray<lanes> updateDual
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<int lanes, bool atStart>
+template<int lanes, Foam::fsi::admmStep step>
 void Foam::fsi::admmSolver::springStep()
 {
     typedef laneArray<lanes> array;
@@ -98,7 +113,7 @@ void Foam::fsi::admmSolver::springStep()
 
         array yx = difference<lanes>(start_, change_, a, b, 0);
         array yy = difference<lanes>(start_, change_, a, b, 1);
-        if (!atStart)
+        if (step == admmStep::local)
         {
             yx += ux;
             yy += uy;
@@ -108,10 +123,10 @@ void Foam::fsi::admmSolver::springStep()
         const array length = (yx*yx + yy*yy).sqrt().max(VSMALL);
         const array fromRest =
             (1 - at<lanes>(restLengths_, springi)/length)
-           *(atStart ? springRatio_ : springFraction_);
+           *(step == admmStep::local ? springFraction_ : springRatio_);
 
-        const array gx = updateDual<atStart, lanes>(fromRest*yx, ux);
-        const array gy = updateDual<atStart, lanes>(fromRest*yy, uy);
+        const array gx = updateDual<step, lanes>(fromRest*yx, ux);
+        const array gy = updateDual<step, lanes>(fromRest*yy, uy);
 
         const scalar weight = springWeights_[springi];
         at<lanes>(residual_, 2*a) -= weight*gx;
@@ -147,11 +162,12 @@ void Foam::fsi::admmSolver::addViscous
 }
 
 
-template<int lanes, bool atStart>
+template<int lanes, Foam::fsi::admmStep step>
 void Foam::fsi::admmSolver::elementStep()
 {
     typedef laneArray<lanes> array;
     const volumeTerm& term = shape_.elementTerm();
+    array stretch = array::Zero();
 
     forAll(elementWeights_, elementi)
     {
@@ -165,7 +181,11 @@ void Foam::fsi::admmSolver::elementStep()
         F[3] += 1;
         const array shear0 = 0.5*shearRatio_*(F[0] - F[3]);
         const array shear1 = 0.5*shearRatio_*(F[1] + F[2]);
-        if (atStart)
+        if (step == admmStep::force)
+        {
+            stretch = stretch.max(secondDerivative<lanes>(F));
+        }
+        if (step != admmStep::local)
         {
             volumeTerm::toGradient(F[0], F[1], F[2], F[3]);
             for (array& part : F)
@@ -189,7 +209,7 @@ void Foam::fsi::admmSolver::elementStep()
         for (int i = 0; i < 4; ++i)
         {
             auto u = at<lanes>(elementDual_, 4*elementi + i);
-            g[i] = updateDual<atStart, lanes>(F[i], u);
+            g[i] = updateDual<step, lanes>(F[i], u);
         }
 
         // F less its cofactors is twice the part of F that is not conformal
@@ -197,40 +217,39 @@ void Foam::fsi::admmSolver::elementStep()
         g[1] -= shear1;
         g[2] -= shear1;
         g[3] += shear0;
-        if (!atStart && viscousRatio_ > 0)
+        if (step != admmStep::start && viscousRatio_ > 0)
         {
             addViscous<lanes>(elementi, g);
         }
 
         spread<lanes>(elementWeights_[elementi], g, rows, B, residual_);
     }
+    at<lanes>(stretch_, 0) = stretch;
 }
 
 
 // * * * * * * * * * * * * * Explicit Instantiation  * * * * * * * * * * * * //
 
+#define makeSteps(lanes)                                                      \
+    template void admmSolver::springStep<lanes, admmStep::start>();           \
+    template void admmSolver::springStep<lanes, admmStep::local>();           \
+    template void admmSolver::springStep<lanes, admmStep::force>();           \
+    template void admmSolver::elementStep<lanes, admmStep::start>();          \
+    template void admmSolver::elementStep<lanes, admmStep::local>();          \
+    template void admmSolver::elementStep<lanes, admmStep::force>();
+
 namespace Foam
 {
 namespace fsi
 {
-    template void admmSolver::springStep<1, true>();
-    template void admmSolver::springStep<1, false>();
-    template void admmSolver::springStep<2, true>();
-    template void admmSolver::springStep<2, false>();
-    template void admmSolver::springStep<4, true>();
-    template void admmSolver::springStep<4, false>();
-    template void admmSolver::springStep<8, true>();
-    template void admmSolver::springStep<8, false>();
-    template void admmSolver::elementStep<1, true>();
-    template void admmSolver::elementStep<1, false>();
-    template void admmSolver::elementStep<2, true>();
-    template void admmSolver::elementStep<2, false>();
-    template void admmSolver::elementStep<4, true>();
-    template void admmSolver::elementStep<4, false>();
-    template void admmSolver::elementStep<8, true>();
-    template void admmSolver::elementStep<8, false>();
+    makeSteps(1)
+    makeSteps(2)
+    makeSteps(4)
+    makeSteps(8)
 }
 }
+
+#undef makeSteps
 
 
 // ************************************************************************* //

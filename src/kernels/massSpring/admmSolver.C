@@ -87,7 +87,8 @@ void Foam::fsi::admmSolver::resize(const label lanes)
 
 Foam::fsi::admmSolver::admmSolver(const shapeTemplate& shape)
 :
-    shape_(shape)
+    shape_(shape),
+    stretch_(8, Zero)
 {}
 
 
@@ -104,6 +105,7 @@ void Foam::fsi::admmSolver::solve
     setTimeStep(dt);
     v.resize(s.positions.rows(), s.positions.cols());
     nIterations_ = 0;
+    lastChange_ = 0;
 
     for (label copyi = 0; copyi < nCopies;)
     {

@@ -13,6 +13,7 @@ namespace
 
 const string rubber("density 1000; E 1e4;");
 const string neoHookean("type neoHookean; density 1000; E 1e4;");
+const List<string> schemes({"ADMM", "quasiNewton"});
 
 
 //- Implicit Euler by Newton's method with a Jacobian from differences
@@ -72,12 +73,13 @@ Eigen::VectorXd newton
 
 
 //- Compare a step with Newton's
-void expectNewtons(const string& material)
+void expectNewtons(const string& material, const string& scheme)
 {
     auto shape = disc
     (
         material,
-        "iterations 5000; tolerance 1e-14; rotation implicitEuler;",
+        "scheme " + scheme
+      + "; iterations 5000; tolerance 1e-14; rotation implicitEuler;",
         0.04
     );
     auto group = groupOf(*shape);
@@ -105,6 +107,31 @@ void expectNewtons(const string& material)
     }
 }
 
+//- Push an inner node out of its triangles and let it go
+void expectTurnsBack(const string& scheme)
+{
+    auto shape = disc(rubber, "scheme " + scheme + ";", 0.03);
+    auto group = groupOf(*shape);
+    group->append(Zero, tensor::I, Zero, Zero, 0);
+
+    const label node = shape->nNodes() - 1;
+    group->positions()(node, 0) += 1.5*shape->nodeSpacing();
+    auto smallest = [&]()
+    {
+        scalar volume = GREAT;
+        shapeMesh now(shape->mesh());
+        forAll(now.points, i)
+        {
+            now.points[i].x() = group->positions()(i, 0);
+            now.points[i].y() = group->positions()(i, 1);
+        }
+        return min(min(now.elementVolumes()), volume);
+    };
+    EXPECT_LT(smallest(), 0);
+    run(*group, Eigen::MatrixXd::Zero(shape->nNodes(), 2), 1e-2, 200);
+    EXPECT_GT(smallest(), 0.5*min(shape->mesh().elementVolumes()));
+}
+
 } // End anonymous namespace
 
 
@@ -112,22 +139,28 @@ void expectNewtons(const string& material)
 
 TEST(admm, convergesToNewtonsImplicitEuler)
 {
-    expectNewtons(rubber);
-    expectNewtons(neoHookean);
+    for (const string& scheme : schemes)
+    {
+        expectNewtons(rubber, scheme);
+        expectNewtons(neoHookean, scheme);
+    }
 }
 
 
 TEST(admm, bodyAtRestStaysExactly)
 {
-    for (const string& material : {rubber, neoHookean})
+    for (const string& scheme : schemes)
     {
-        auto shape = disc(material);
-        auto group = groupOf(*shape);
-        group->append(Zero, tensor::I, Zero, Zero, 0);
-        const Eigen::MatrixXd start = group->positions();
-        run(*group, Eigen::MatrixXd::Zero(shape->nNodes(), 2), 1e-2, 20);
-        EXPECT_EQ((group->positions() - start).cwiseAbs().maxCoeff(), 0);
-        EXPECT_EQ(group->velocities().cwiseAbs().maxCoeff(), 0);
+        for (const string& material : {rubber, neoHookean})
+        {
+            auto shape = disc(material, "scheme " + scheme + ";");
+            auto group = groupOf(*shape);
+            group->append(Zero, tensor::I, Zero, Zero, 0);
+            const Eigen::MatrixXd start = group->positions();
+            run(*group, Eigen::MatrixXd::Zero(shape->nNodes(), 2), 1e-2, 20);
+            EXPECT_EQ((group->positions() - start).cwiseAbs().maxCoeff(), 0);
+            EXPECT_EQ(group->velocities().cwiseAbs().maxCoeff(), 0);
+        }
     }
 }
 
@@ -254,27 +287,10 @@ TEST(admm, toleranceEndsTheIteration)
 
 TEST(admm, invertedElementsTurnBack)
 {
-    auto shape = disc(rubber, "", 0.03);
-    auto group = groupOf(*shape);
-    group->append(Zero, tensor::I, Zero, Zero, 0);
-
-    // Push an inner node out of its triangles
-    const label node = shape->nNodes() - 1;
-    group->positions()(node, 0) += 1.5*shape->nodeSpacing();
-    auto smallest = [&]()
+    for (const string& scheme : schemes)
     {
-        scalar volume = GREAT;
-        shapeMesh now(shape->mesh());
-        forAll(now.points, i)
-        {
-            now.points[i].x() = group->positions()(i, 0);
-            now.points[i].y() = group->positions()(i, 1);
-        }
-        return min(min(now.elementVolumes()), volume);
-    };
-    EXPECT_LT(smallest(), 0);
-    run(*group, Eigen::MatrixXd::Zero(shape->nNodes(), 2), 1e-2, 200);
-    EXPECT_GT(smallest(), 0.5*min(shape->mesh().elementVolumes()));
+        expectTurnsBack(scheme);
+    }
 }
 
 

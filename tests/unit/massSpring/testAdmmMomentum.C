@@ -40,6 +40,41 @@ vector inputMomentum
     return sum;
 }
 
+
+//- Compare the momenta after a step with what went in
+void expectMomenta(const string& admm)
+{
+    auto shape = disc(rubber, admm);
+    auto group = groupOf(*shape);
+    for (label i = 0; i < 5; ++i)
+    {
+        const vector omega(0, 0, 2.0*i);
+        group->append(point(i, 0, 0), tensor::I, vector(1, i, 0), omega, i);
+    }
+    const scalar dt = 5e-3;
+    const Eigen::MatrixXd force = unevenForce(*group, 30);
+    Eigen::MatrixXd v;
+    group->predict(0, dt, force, v);
+
+    auto after = groupOf(*shape);
+    for (label i = 0; i < 5; ++i)
+    {
+        after->append(Zero, tensor::I, Zero, Zero, i);
+    }
+    after->positions() = group->positions();
+    after->velocities() = v;
+    const Eigen::MatrixXd none = 0*force;
+    for (label i = 0; i < 5; ++i)
+    {
+        scalar moment, expectedMoment;
+        const vector expected =
+            inputMomentum(*group, force, dt, i, expectedMoment);
+        const vector found = inputMomentum(*after, none, dt, i, moment);
+        EXPECT_LT(mag(found - expected), 1e-12*mag(expected));
+        EXPECT_NEAR(moment, expectedMoment, 1e-12*mag(expectedMoment));
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -47,36 +82,14 @@ vector inputMomentum
 
 TEST(admmMomentum, momentaAreExactAfterAnyNumberOfIterations)
 {
-    for (const label iterations : {1, 3, 10})
+    for (const string& scheme : {"ADMM", "quasiNewton"})
     {
-        auto shape = disc(rubber, "iterations " + name(iterations) + ";");
-        auto group = groupOf(*shape);
-        for (label i = 0; i < 5; ++i)
+        for (const label iterations : {1, 3, 10})
         {
-            const vector omega(0, 0, 2.0*i);
-            group->append(point(i, 0, 0), tensor::I, vector(1, i, 0), omega, i);
-        }
-        const scalar dt = 5e-3;
-        const Eigen::MatrixXd force = unevenForce(*group, 30);
-        Eigen::MatrixXd v;
-        group->predict(0, dt, force, v);
-
-        auto after = groupOf(*shape);
-        for (label i = 0; i < 5; ++i)
-        {
-            after->append(Zero, tensor::I, Zero, Zero, i);
-        }
-        after->positions() = group->positions();
-        after->velocities() = v;
-        const Eigen::MatrixXd none = 0*force;
-        for (label i = 0; i < 5; ++i)
-        {
-            scalar moment, expectedMoment;
-            const vector expected =
-                inputMomentum(*group, force, dt, i, expectedMoment);
-            const vector found = inputMomentum(*after, none, dt, i, moment);
-            EXPECT_LT(mag(found - expected), 1e-12*mag(expected));
-            EXPECT_NEAR(moment, expectedMoment, 1e-12*mag(expectedMoment));
+            expectMomenta
+            (
+                "scheme " + scheme + "; iterations " + name(iterations) + ";"
+            );
         }
     }
 }
