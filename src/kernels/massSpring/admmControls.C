@@ -14,8 +14,8 @@ Foam::fsi::admmControls::admmControls(const dictionary& dict)
     ),
     iterations(readAtLeast(dict, "iterations", quasiNewton ? 8 : 10, 1)),
     tolerance(readNonNegative(dict, "tolerance", 0)),
-    springWeight(readPositive(dict, "springWeight", 1)),
-    areaWeight(readPositive(dict, "areaWeight", 0.5)),
+    springWeight(readPositive(dict, "springWeight", quasiNewton ? 0.5 : 1)),
+    areaWeight(readPositive(dict, "areaWeight", quasiNewton ? 0.25 : 0.5)),
     conserving
     (
         readChoice
