@@ -168,11 +168,11 @@ void Foam::fsi::fsiObjects::startStep
     const stepTimer::section solids(timer_, stepTimer::part::solids);
     if (boundaries_.update(mesh_.time().value() - system_.deltaT()))
     {
+        const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
         system_.renew();
         coupling_->renew();
     }
     system_.driving->update(U);
-
 
     fsiSystem::groupNodal force;
     system_.objects.zeroGroups(force);
