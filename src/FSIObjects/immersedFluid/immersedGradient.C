@@ -127,6 +127,33 @@ void Foam::fsi::immersedFluid::sumFaceGradients
 }
 
 
+Foam::scalarField Foam::fsi::immersedFluid::filmFriction
+(
+    const scalar rAU,
+    const scalar viscosity
+) const
+{
+    const UList<label>& films = geometry_.filmCells();
+    scalarField friction(films.size(), Zero);
+    if (films.empty())
+    {
+        return friction;
+    }
+
+    const scalarField& volume = geometry_.grid().mesh().V();
+    for (const wallLink& link : geometry_.wallLinks())
+    {
+        const label film = findSortedIndex(films, link.cell);
+        if (film >= 0)
+        {
+            friction[film] +=
+                rAU*viscosity*link.conductance/volume[link.cell];
+        }
+    }
+    return friction;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
@@ -177,7 +204,8 @@ void Foam::fsi::immersedFluid::correctVelocity
     volVectorField& U,
     const volVectorField& lastGradient,
     const volScalarField& p,
-    const scalar rAU
+    const scalar rAU,
+    const scalar viscosity
 ) const
 {
     const tmp<volVectorField> tgradient(gradient(p));
@@ -186,6 +214,16 @@ void Foam::fsi::immersedFluid::correctVelocity
     forAll(u, celli)
     {
         u[celli] += rAU*(lastGradient[celli] - g[celli]);
+    }
+
+    const UList<label>& films = geometry_.filmCells();
+    const scalarField friction(filmFriction(rAU, viscosity));
+    forAll(films, i)
+    {
+        const label celli = films[i];
+        u[celli] -=
+            friction[i]/(1 + friction[i])
+           *rAU*(lastGradient[celli] - g[celli]);
     }
     U.correctBoundaryConditions();
 }

@@ -4,7 +4,8 @@
 the width of either. Soft ones squeeze through, one after the other; stiff ones
 jam. Neither ever overlap or leave the channel, and contact fires none off, not
 even one that yields: a hundredth of a Pascal against the 30 that press leaves
-films thinner than a tenth of a cell.
+films thinner than a tenth of a cell. Nor is the fluid in these films faster
+than what drives it.
 
     squeeze.py FOLDER
 
@@ -35,8 +36,8 @@ START, END = 1.4, 1.7
 WEDGE = ((0.8, OFF), (2.2, OFF), (END, EDGE), (START, EDGE))
 
 # Young's modulus over the pressure rho G L; stiffness of contact [Pa], if not E
-RUNS = {"soft": (2, None), "stiff": (100, None),
-        "stiff, contact yields": (100, 0.01)}
+RUNS = {"soft": (2, None), "soft, contact yields": (2, 0.01),
+        "stiff": (100, None), "stiff, contact yields": (100, 0.01)}
 
 SHAPES = """
 lower

@@ -4,6 +4,7 @@
 
 #include "discsInBox.H"
 #include "filmPressure.H"
+#include "immersedFluid.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -108,6 +109,52 @@ TEST(FilmPressure, filmsThatChangeStartFromTheirNeighbours)
 {
     expectFilled(0);
     expectFilled(1);
+}
+
+
+TEST(FilmPressure, wallsHoldTheFluidOfFilms)
+{
+    const scalar rAU = 0.7;
+    const scalar viscosity = 0.4;
+    for (const direction split : {0, 1})
+    {
+        // The gradient of the pressure falls to a third in the step
+        discs pair(split);
+        pair.move({left, left + vector(2*radius + 0.3, 0.4, 0)});
+        ASSERT_GE(pair.nFilmCells(), 2);
+        pair.p.primitiveFieldRef() = pair.mesh().C().component(1);
+        pair.p.correctBoundaryConditions();
+        volVectorField U
+        (
+            IOobject("U", pair.mesh().time().timeName(), pair.mesh()),
+            pair.mesh(),
+            dimensionedVector(dimless, Zero)
+        );
+        const immersedFluid fluid(pair.geometry(), dictionary());
+        const volVectorField gradient(fluid.gradient(pair.p));
+        fluid.correctVelocity(U, 3*gradient, pair.p, rAU, viscosity);
+
+        // Cells of unit size: a link's friction is one over its distance
+        scalarField friction(pair.mesh().nCells(), Zero);
+        for (const wallLink& link : pair.geometry().wallLinks())
+        {
+            friction[link.cell] += rAU*viscosity/link.wallDistance;
+        }
+        const UList<label>& films = pair.geometry().filmCells();
+        scalar held = 0;
+        forAll(U, celli)
+        {
+            const bool film = findSortedIndex(films, celli) >= 0;
+            const scalar part = film ? 1/(1 + friction[celli]) : 1;
+            EXPECT_LT
+            (
+                mag(U[celli] - 2*rAU*part*gradient[celli]),
+                1e-12*(1 + mag(gradient[celli]))
+            );
+            held = max(held, film ? friction[celli] : 0);
+        }
+        EXPECT_GT(returnReduce(held, maxOp<scalar>()), 0.5);
+    }
 }
 
 
