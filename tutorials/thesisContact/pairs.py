@@ -60,6 +60,7 @@ disc
 {{
     shape {{ type circle; radius {}; }}
     material {{ density {}; E {}; }}
+    admm {{ scheme {}; }}
 }}
 """
 
@@ -85,7 +86,9 @@ def make(law, fluid):
         os.path.join(FOLDER, f"{law}-{fluid}"), box=(0, 0, *size),
         cells=tuple(round(CELLS_PER_METRE*length) for length in size),
         viscosity=2e-4, density=DENSITY,
-        shapes=SHAPES.format(RADIUS, DISC_DENSITY, MODULUS),
+        shapes=SHAPES.format(
+            RADIUS, DISC_DENSITY, MODULUS,
+            "ADMM" if law.startswith("preset") else "quasiNewton"),
         placements="discs { type listed; shape disc; "
                    f"objects ({places()}); }}",
         properties=LAWS[law][0] + coupling + "output { objectsEvery 1; }\n",

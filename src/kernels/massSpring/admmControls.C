@@ -9,7 +9,7 @@ Foam::fsi::admmControls::admmControls(const dictionary& dict)
 :
     quasiNewton
     (
-        readChoice(dict, "scheme", "ADMM", {"ADMM", "quasiNewton"})
+        readChoice(dict, "scheme", "quasiNewton", {"ADMM", "quasiNewton"})
      == "quasiNewton"
     ),
     iterations(readAtLeast(dict, "iterations", quasiNewton ? 8 : 10, 1)),
