@@ -223,7 +223,9 @@ void Foam::fsi::populationCheck::checkOutlines
             found.notFinite.append(id);
             continue;
         }
-        if (isOutside(boundBox(polygon, false)))
+        const bool isFree =
+            objects.groups()[objects.objectGroup(objecti)].free();
+        if (isFree && isOutside(boundBox(polygon, false)))
         {
             found.outside.append(id);
         }

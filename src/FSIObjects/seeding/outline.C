@@ -168,6 +168,23 @@ Foam::fsi::outline Foam::fsi::outline::moved
 }
 
 
+bool Foam::fsi::outline::reaches(const boundBox& box) const
+{
+    for (const point& p : points_)
+    {
+        if
+        (
+            p.x() > box.min().x() && p.x() < box.max().x()
+         && p.y() > box.min().y() && p.y() < box.max().y()
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 bool Foam::fsi::outline::closerThan
 (
     const outline& other,

@@ -116,7 +116,8 @@ Foam::fsi::packing::packing
     const scalar spacing,
     const wordList& shapeNames,
     const List<outline>& shapes,
-    const vector& period
+    const vector& period,
+    const boolList& attached
 )
 :
     domain_(domain),
@@ -124,6 +125,7 @@ Foam::fsi::packing::packing
     shapeNames_(shapeNames),
     shapes_(shapes),
     period_(period),
+    attached_(attached),
     shifts_(1, Zero),
     cellSize_(GREAT),
     search_(0)
@@ -227,11 +229,12 @@ Foam::scalar Foam::fsi::packing::distance
 
 bool Foam::fsi::packing::inDomain
 (
-    const point& centre,
+    const placedObject& object,
     const outline& candidate,
     const scalar gap
 ) const
 {
+    const point& centre = object.centre;
     boundBox box(domain_);
     for (direction d = 0; d < 2; ++d)
     {
@@ -244,6 +247,10 @@ bool Foam::fsi::packing::inDomain
             box.min()[d] = -GREAT;
             box.max()[d] = GREAT;
         }
+    }
+    if (gap <= 0 && attached(object.shape))
+    {
+        return candidate.reaches(box);
     }
     return inside(candidate, box, gap);
 }

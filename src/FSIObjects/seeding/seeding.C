@@ -12,6 +12,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
 {
     List<outline> outlines;
     wordList names;
+    DynamicList<bool> prescribed;
     for (const entry& e : dict)
     {
         if (!e.isDict())
@@ -26,13 +27,19 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         const shapeTemplate& shape = objects_.groups().last().shape();
         outlines.append(outline(shape.points(), shape.faces()));
         names.append(shape.name());
+        prescribed.append(!objects_.groups().last().free());
         checkThickness(e.dict(), outlines.last());
     }
     space_.reset
     (
         new packing
         (
-            domain_.bounds, domain_.spacing, names, outlines, domain_.period
+            domain_.bounds,
+            domain_.spacing,
+            names,
+            outlines,
+            domain_.period,
+            boolList(prescribed)
         )
     );
 }
@@ -151,6 +158,10 @@ void Foam::fsi::seeding::checkContacts() const
     label nTouching = 0, first = -1, other = -1;
     for (label i = 0; i < space_->size() && domain_.contactRange > 0; ++i)
     {
+        if (space_->attached((*space_)[i].shape))
+        {
+            continue;
+        }
         const label found = space_->findConflict
         (
             space_->objectOutline(i), domain_.contactRange, i

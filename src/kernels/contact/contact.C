@@ -159,7 +159,10 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
     if (!searched(surfaces))
     {
         const scalar range = scales_.range + margin_;
-        find(search_(), surfaces, walls, medialAxis, range, found_);
+        find
+        (
+            search_(), surfaces, bodies, walls, medialAxis, range, found_
+        );
         setStretches(surfaces, bodies);
         searched_ = surfaces.points();
     }
@@ -213,6 +216,7 @@ Foam::label Foam::fsi::contact::limit
     (
         limitSearch_(),
         moved_,
+        bodies,
         walls,
         UList<medialAxisPoint>(),
         minimumGap_ + margin_,

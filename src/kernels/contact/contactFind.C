@@ -10,6 +10,7 @@ void Foam::fsi::contact::find
 (
     contactSearch& search,
     const surfaceSet& surfaces,
+    const contactBodies& bodies,
     const UList<contactWall>& walls,
     const UList<medialAxisPoint>& medialAxis,
     const scalar range,
@@ -18,25 +19,26 @@ void Foam::fsi::contact::find
 {
     const surfaceSet& all = images_.update(surfaces, range);
     search.find(all, walls, medialAxis, range, found);
-    if (all.nOriginals() == all.size())
-    {
-        return;
-    }
 
-    // What images' nodes find their originals find with other images
+    // What images' nodes find their originals find with other images. Between
+    // walls and objects that are moved as prescribed nothing can act
     label n = 0;
     for (const contactPair& pair : found.pairs)
     {
-        if (all.originalNode(pair.node) == pair.node)
+        if (all.originalNode(pair.node) != pair.node)
         {
-            contactPair& kept = found.pairs[n++];
-            kept = pair;
-            if (pair.face >= 0)
-            {
-                kept.other = all.original(pair.other);
-                kept.face = all.originalFace(pair.face);
-            }
+            continue;
         }
+        contactPair& kept = found.pairs[n];
+        kept = pair;
+        if (pair.face >= 0)
+        {
+            kept.other = all.original(pair.other);
+            kept.face = all.originalFace(pair.face);
+        }
+        n +=
+            !bodies[surfaces.pointObject()[kept.node]].prescribed
+         || (kept.other >= 0 && !bodies[kept.other].prescribed);
     }
     found.pairs.resize(n);
 }

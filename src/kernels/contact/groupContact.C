@@ -77,6 +77,10 @@ void Foam::fsi::groupContact::setNodes
     for (const label objecti : objects)
     {
         bodies.setRest(objecti, rest_);
+        if (!group_.free())
+        {
+            bodies.setPrescribed(objecti);
+        }
         const label start = surfaces.pointStart()[objecti];
         forAll(areas_, i)
         {

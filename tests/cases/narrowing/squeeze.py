@@ -29,11 +29,11 @@ THROAT = 0.26
 DRIVE = 10
 MAX_SPEED = math.sqrt(2*DRIVE*LENGTH)
 
-# Of the lower wedge; its base is off the wall by a rounding error only
-OFF = 1e-9
+# Of the lower wedge; it reaches out of the channel
 EDGE = 0.5 - THROAT/2
 START, END = 1.4, 1.7
-WEDGE = ((0.8, OFF), (2.2, OFF), (END, EDGE), (START, EDGE))
+WEDGE = ((0.8, 0), (0.8, -0.1), (2.2, -0.1), (2.2, 0), (END, EDGE),
+         (START, EDGE))
 
 # Young's modulus over the pressure rho G L; stiffness of contact [Pa], if not E
 RUNS = {"soft": (2, None), "soft, contact yields": (2, 0.01),
@@ -96,7 +96,8 @@ def make(folder, name):
     for wall, turn in (("lower", 0), ("upper", 1)):
         with open(os.path.join(case.path, f"constant/{wall}.csv"), "w",
                   encoding="ascii") as stream:
-            stream.writelines(f"{px}, {abs(turn - py)}\n" for px, py in WEDGE)
+            stream.writelines(f"{px}, {1 - py if turn else py}\n"
+                              for px, py in WEDGE)
     return case.set_up()
 
 

@@ -183,4 +183,37 @@ TEST(Packing, findsWhatACompleteSearchFinds)
 }
 
 
+TEST(Packing, attachedObjectsMayReachOutOfTheDomain)
+{
+    const boundBox domain(point(0, 0, 0), point(2, 1, 1));
+    const packing space
+    (
+        domain, 0.05, {"free", "attached"},
+        {
+            rectangle({-0.2, -0.1, 0}, {0.2, 0.1, 0}),
+            rectangle({-0.2, -0.1, 0}, {0.2, 0.1, 0})
+        },
+        Zero, {false, true}
+    );
+    const auto fits = [&](const label shape, const point& x, const scalar gap)
+    {
+        placedObject object;
+        object.shape = shape;
+        object.centre = x;
+        object.rotation = tensor::I;
+        return space.inDomain(object, space.placedOutline(object), gap);
+    };
+    for (const label shape : {0, 1})
+    {
+        const bool attached = shape == 1;
+        EXPECT_TRUE(fits(shape, {1, 0.5, 0}, 0));
+        EXPECT_EQ(fits(shape, {1, 0.05, 0}, 0), attached);
+        EXPECT_EQ(fits(shape, {2.1, 1.05, 0}, 0), attached);
+        EXPECT_FALSE(fits(shape, {1, 0.15, 0}, 0.1));
+        EXPECT_FALSE(fits(shape, {1, -0.2, 0}, 0));
+        EXPECT_FALSE(fits(shape, {2.3, 0.5, 0}, 0));
+    }
+}
+
+
 // ************************************************************************* //

@@ -138,6 +138,28 @@ TEST(ContactRigid, wallAndFixedDiscSendBack)
 }
 
 
+TEST(ContactRigid, obstaclesAndWallsDoNotTouchEachOther)
+{
+    // An obstacle reaches through the wall and into another one
+    rigidDiscs world;
+    world.add(circleNodes(1, 48), {0, 0, 0}, Zero, 0, 1, false);
+    world.add(circleNodes(1, 48), {0, 1.9, 0}, Zero, 0, 1, false);
+    world.add(circleNodes(1, 48), {-2.1, 0, 0}, {0.5, 0, 0});
+    world.walls.append(contactWall({0.5, 0, 0}, {-1, 0, 0}));
+    contact law(contactOf(""));
+    scalar gap = GREAT;
+    for (label i = 0; i < 300; ++i)
+    {
+        world.advance(law, 0.01);
+        ASSERT_LE(world.statistics.contacts, 2);
+        gap = min(gap, world.statistics.smallestGap);
+        ASSERT_GT(gap, 0.1*h);
+    }
+    EXPECT_LT(gap, h);
+    EXPECT_LT(world.discs[2].velocity.x(), -0.3);
+}
+
+
 TEST(ContactRigid, overlapAtTheStartIsPushedApartWithoutAJump)
 {
     rigidDiscs world(headOn(0));

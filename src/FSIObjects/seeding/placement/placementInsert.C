@@ -20,7 +20,7 @@ void Foam::fsi::placement::insertAll
         const label other = space.findConflict(candidate, minimumGap_);
         const label objecti = space.insert(object);
 
-        if (!space.inDomain(object.centre, candidate, wallGap_))
+        if (!space.inDomain(object, candidate, wallGap_))
         {
             refused.append
             (
