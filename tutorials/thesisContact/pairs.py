@@ -51,6 +51,11 @@ LAWS = {
         PRESET + "contact { search { type surfaceCells; } "
         "law { type elastic; } }\n",
         "all of the thesis's choices but contact"),
+    "defaultHeavy": ("", "discs 10 times as heavy and stiff: default"),
+    "presetHeavy": (PRESET, "the same, all of the thesis's choices"),
+    "presetHeavySoft": (
+        PRESET + "contact { law { stiffness 2250; } }\n",
+        "the same, `stiffness` rho_s U^2 = 2250 Pa"),
 }
 
 NAMES = {"fluid": "fluid", "noFluid": "no fluid"}
@@ -80,6 +85,7 @@ def places():
 
 def make(law, fluid):
     """Writes a case."""
+    factor = 10 if "Heavy" in law else 1
     coupling = {"fluid": "", "noFluid": "coupling { type none; }\n"}[fluid]
     size = [n*length for n, length in zip((len(SPEEDS), len(OFFSETS)), ROOM)]
     case = fsiCase.Case(
@@ -87,7 +93,7 @@ def make(law, fluid):
         cells=tuple(round(CELLS_PER_METRE*length) for length in size),
         viscosity=2e-4, density=DENSITY,
         shapes=SHAPES.format(
-            RADIUS, DISC_DENSITY, MODULUS,
+            RADIUS, factor*DISC_DENSITY, factor*MODULUS,
             "ADMM" if law.startswith("preset") else "quasiNewton"),
         placements="discs { type listed; shape disc; "
                    f"objects ({places()}); }}",
@@ -141,24 +147,30 @@ def state(case):
     return "sound" if "Objects are sound" in text else "faults"
 
 
-def line(law, fluid):
-    """A row of the table."""
-    case = os.path.join(FOLDER, f"{law}-{fluid}")
-    met = collisions(case)
+def collision_columns(met):
+    """Columns of the table that tell what collisions did."""
+    if not met:
+        return "| none met | | | | "
     before = [speed(r) for rows, _ in met for r in rows[0]]
     mean = sum(before)/len(before)
     slow = sum(speed(r) < 0.01*mean for rows, _ in met for r in rows[-1])
     energies = [[sum(map(energy, discs)) for discs in rows] for rows, _ in met]
     change = [e[-1]/e[0] - 1 for e in energies]
     most = max(max(e)/e[0] - 1 for e in energies)
-    steps = results.table(case, "global.csv")
-    deltas = sorted(r["deltaT"] for r in steps)
-    return (f"| {LAWS[law][1]}, {NAMES[fluid]} "
-            f"| {sum(not ended for _, ended in met)} "
+    return (f"| {sum(not ended for _, ended in met)} "
             f"| {100*slow/len(before):.0f} % "
             f"| {100*sum(change)/len(change):+.3g} % "
             f"| {100*max(change):+.3g} % "
-            f"| {100*most:+.3g} % "
+            f"| {100*most:+.3g} % ")
+
+
+def line(law, fluid):
+    """A row of the table."""
+    case = os.path.join(FOLDER, f"{law}-{fluid}")
+    steps = results.table(case, "global.csv")
+    deltas = sorted(r["deltaT"] for r in steps)
+    return (f"| {LAWS[law][1]}, {NAMES[fluid]} "
+            f"{collision_columns(collisions(case))}"
             f"| {max(r['maxSpeed'] for r in steps):.3g} m/s "
             f"| {1000*deltas[0]:.3g} ms, {deltas[0]/MAX_STEP:.3g} "
             f"| {steps[-1]['time']:.2f} s | {state(case)} |")
