@@ -158,6 +158,7 @@ void Foam::fsi::seeding::checkContacts() const
     label nTouching = 0, first = -1, other = -1;
     for (label i = 0; i < space_->size() && domain_.contactRange > 0; ++i)
     {
+        // Nothing pushes objects with a prescribed motion
         if (space_->attached((*space_)[i].shape))
         {
             continue;
