@@ -16,7 +16,7 @@ using namespace Foam;
 bool meanOfKnown
 (
     const polyMesh& mesh,
-    const scalarField& weight,
+    const scalarField* weight,
     const label celli,
     const scalarField& known,
     const scalarList& coupledKnown,
@@ -30,7 +30,7 @@ bool meanOfKnown
     for (const label facei : mesh.cells()[celli])
     {
         const label outside = facei - mesh.nInternalFaces();
-        const scalar w = weight[facei];
+        const scalar w = weight ? (*weight)[facei] : 1;
         if (outside < 0)
         {
             const label own = mesh.faceOwner()[facei];
@@ -57,7 +57,7 @@ bool meanOfKnown
 Foam::label Foam::fsi::fillFromNeighbours
 (
     const polyMesh& mesh,
-    const scalarField& weight,
+    const scalarField* weight,
     DynamicList<label>& cells,
     scalarField& known,
     scalarField& values

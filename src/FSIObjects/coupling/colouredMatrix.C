@@ -108,7 +108,10 @@ void Foam::fsi::colouredMatrix::setSlots()
         }
     }
 
-    coefficient_.setSize(nSlots_*nCells);
+    // Slots that no face has stay zero
+    coefficient_.setSize(nSlots_*nCells, 0);
+    symmetric_.setSize(nCells);
+    antisymmetric_.setSize(nCells);
     diagonal_.setSize(nDims_*nCells);
     source_.setSize(nDims_*nCells);
     x_.setSize(nDims_*nRows);
@@ -122,11 +125,23 @@ void Foam::fsi::colouredMatrix::setCoefficients(const fvVectorMatrix& equation)
     const scalarField& upper = equation.upper();
     const scalarField& lower = symmetric ? upper : equation.lower();
 
-    coefficient_ = 0;
+    // A coefficient and the one of the other side of its face make the
+    // symmetric and the antisymmetric part. Rows with fixed values have none
+    const labelUList& own = grid_.mesh().owner();
+    const labelUList& nei = grid_.mesh().neighbour();
+    symmetric_ = 0;
+    antisymmetric_ = 0;
     forAll(ownerSlot_, facei)
     {
-        coefficient_[ownerSlot_[facei]] = upper[facei];
-        coefficient_[neighbourSlot_[facei]] = lower[facei];
+        const scalar a = upper[facei];
+        const scalar b = lower[facei];
+        coefficient_[ownerSlot_[facei]] = a;
+        coefficient_[neighbourSlot_[facei]] = b;
+        for (const label celli : {own[facei], nei[facei]})
+        {
+            symmetric_[celli] += 0.5*mag(a + b);
+            antisymmetric_[celli] += 0.5*mag(a - b);
+        }
     }
     forAll(patchSlot_, patchi)
     {
@@ -176,29 +191,13 @@ void Foam::fsi::colouredMatrix::setDiagonal(const fvVectorMatrix& equation)
 
 void Foam::fsi::colouredMatrix::setRelaxation()
 {
-    // A coefficient and the one of the other side of its face make the
-    // symmetric and the antisymmetric part. Rows with fixed values have none
-    const labelUList& own = grid_.mesh().owner();
-    scalarField symmetric(rowOf_.size(), Zero);
-    scalarField antisymmetric(rowOf_.size(), Zero);
-    const labelUList& nei = grid_.mesh().neighbour();
-    forAll(own, facei)
-    {
-        const scalar a = coefficient_[ownerSlot_[facei]];
-        const scalar b = coefficient_[neighbourSlot_[facei]];
-        for (const label celli : {own[facei], nei[facei]})
-        {
-            symmetric[celli] += 0.5*mag(a + b);
-            antisymmetric[celli] += 0.5*mag(a - b);
-        }
-    }
     scalar alpha = 0;
     scalar beta = 0;
     forAll(rowOf_, celli)
     {
         const scalar d = diagonal_[nDims_*rowOf_[celli]];
-        alpha = max(alpha, symmetric[celli]/d);
-        beta = max(beta, antisymmetric[celli]/d);
+        alpha = max(alpha, symmetric_[celli]/d);
+        beta = max(beta, antisymmetric_[celli]/d);
     }
     reduce(alpha, maxOp<scalar>());
     reduce(beta, maxOp<scalar>());

@@ -47,7 +47,7 @@ void Foam::fsi::fillFilmCells
     {
         left = fillFromNeighbours
         (
-            p.mesh(), geometry.openness(), cells, known, p.primitiveFieldRef()
+            p.mesh(), &geometry.openness(), cells, known, p.primitiveFieldRef()
         );
     }
     for (const label celli : cells)

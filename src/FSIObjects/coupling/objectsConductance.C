@@ -29,18 +29,11 @@ Foam::labelList Foam::fsi::objectsConductance::inside() const
 }
 
 
-void Foam::fsi::objectsConductance::setInterior
-(
-    const labelList& own,
-    const labelList& neighbour,
-    scalarField& conductance
-) const
+Foam::scalarField Foam::fsi::objectsConductance::interiorFactor() const
 {
     using constant::mathematical::pi;
     const cartesianMesh& grid = system_.grid;
     const scalar h = grid.spacing();
-    const scalar face =
-        system_.deltaT()*pow(h, grid.nDims() - 2)*grid.thickness();
 
     scalarField factor(system_.objects.size(), Zero);
     forAll(factor, objecti)
@@ -55,51 +48,69 @@ void Foam::fsi::objectsConductance::setInterior
             max(0.56*P*h/sqr(reach + h), 1.0)
            *min(system_.fluidDensity/shape.density(), 1.0);
     }
+    return factor;
+}
+
+
+void Foam::fsi::objectsConductance::setInterior
+(
+    const cellObjects& objects,
+    scalarField& conductance
+) const
+{
+    const cartesianMesh& grid = system_.grid;
+    const scalar face =
+        system_.deltaT()*pow(grid.spacing(), grid.nDims() - 2)
+       *grid.thickness();
+    const scalarField factor(interiorFactor());
     grid.forFaces([&](const label facei)
     {
-        const bool same = own[facei] >= 0 && own[facei] == neighbour[facei];
-        conductance[facei] = same ? face*factor[own[facei]] : 0;
+        const label own = objects.own(facei);
+        const bool same = own >= 0 && own == objects.neighbour(facei);
+        conductance[facei] = same ? face*factor[own] : 0;
     });
 }
 
 
 void Foam::fsi::objectsConductance::addWalls
 (
-    const labelList& own,
-    const labelList& neighbour,
+    const cellObjects& objects,
     scalarField& conductance
 ) const
 {
     const auto reaches = [&](const wallFace& w)
     {
-        return own[w.face] >= 0 || neighbour[w.face] >= 0;
+        return objects.own(w.face) >= 0 || objects.neighbour(w.face) >= 0;
     };
-    const scalarField d(estimate*diagonal());
     const UList<wallFace>& faces = system_.geometry.wallFaces();
+    const wallOperator& walls = system_.walls;
 
-    // Closed area of each cell towards the inside
+    // Closed area of each cell at walls towards the inside
+    const scalarField d(estimate*diagonal());
     scalarField inner(d.size(), Zero), all(d.size(), Zero);
     for (const wallFace& w : faces)
     {
+        const bool inside = reaches(w);
         for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0)
             {
-                inner[celli] += reaches(w) ? w.area : 0;
-                all[celli] += w.area;
+                inner[walls.place(celli)] += inside ? w.area : 0;
+                all[walls.place(celli)] += w.area;
             }
         }
     }
     for (const wallFace& w : faces)
     {
-        const bool both = w.lower >= 0 && w.upper >= 0;
-        const bool thin = both && inner[w.lower] + inner[w.upper] == 0;
+        const bool thin =
+            w.lower >= 0 && w.upper >= 0
+         && inner[walls.place(w.lower)] + inner[walls.place(w.upper)] == 0;
         for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0 && (thin || reaches(w)))
             {
-                conductance[w.face] +=
-                    w.area*d[celli]/(thin ? all : inner)[celli];
+                const label at = walls.place(celli);
+                conductance[w.face] += w.area*d[at]/(thin ? all : inner)[at];
             }
         }
     }
@@ -121,24 +132,13 @@ Foam::fsi::objectsConductance::conductance() const
 {
     const fvMesh& mesh = system_.grid.mesh();
     const label nInternal = mesh.nInternalFaces();
-    const labelList object(inside());
-
-    labelList own(mesh.nFaces()), neighbour(mesh.nFaces());
-    labelList across;
-    swapCoupledCells(mesh, object, across);
-    system_.grid.forFaces([&](const label facei)
-    {
-        own[facei] = object[mesh.faceOwner()[facei]];
-        neighbour[facei] =
-            facei < nInternal
-          ? object[mesh.faceNeighbour()[facei]]
-          : across[facei - nInternal];
-    });
+    cellObjects objects{mesh, inside(), labelList()};
+    swapCoupledCells(mesh, objects.object, objects.across);
 
     auto tg = tmp<scalarField>::New(mesh.nFaces());
     scalarField& g = tg.ref();
-    setInterior(own, neighbour, g);
-    addWalls(own, neighbour, g);
+    setInterior(objects, g);
+    addWalls(objects, g);
 
     // The rank of the cell inside has no wall
     SubList<scalar> boundary(g, mesh.nFaces() - nInternal, nInternal);
@@ -147,26 +147,32 @@ Foam::fsi::objectsConductance::conductance() const
 }
 
 
-void Foam::fsi::objectsConductance::addTo(fvScalarMatrix& matrix) const
+void Foam::fsi::objectsConductance::add
+(
+    const scalarField& conductance,
+    const scalar sign,
+    fvScalarMatrix& matrix
+)
 {
-    const fvMesh& mesh = system_.grid.mesh();
-    const scalarField g(conductance());
-
+    const labelUList& own = matrix.lduAddr().lowerAddr();
+    const labelUList& nei = matrix.lduAddr().upperAddr();
     scalarField& diagonal = matrix.diag();
     scalarField& upper = matrix.upper();
     forAll(upper, facei)
     {
-        upper[facei] -= g[facei];
-        diagonal[mesh.faceOwner()[facei]] += g[facei];
-        diagonal[mesh.faceNeighbour()[facei]] += g[facei];
+        const scalar g = sign*conductance[facei];
+        upper[facei] -= g;
+        diagonal[own[facei]] += g;
+        diagonal[nei[facei]] += g;
     }
-    forAll(mesh.boundary(), patchi)
+    forAll(matrix.psi().mesh().boundary(), patchi)
     {
-        const fvPatch& patch = mesh.boundary()[patchi];
+        const fvPatch& patch = matrix.psi().mesh().boundary()[patchi];
         for (label i = 0; i < patch.size() && patch.coupled(); ++i)
         {
-            matrix.boundaryCoeffs()[patchi][i] += g[patch.start() + i];
-            diagonal[patch.faceCells()[i]] += g[patch.start() + i];
+            const scalar g = sign*conductance[patch.start() + i];
+            matrix.boundaryCoeffs()[patchi][i] += g;
+            diagonal[patch.faceCells()[i]] += g;
         }
     }
 }

@@ -11,43 +11,48 @@ namespace
 using namespace Foam;
 using Foam::fsi::wallFace;
 
-//- The wall faces of each cell: chains of its sides, 2 i at the lower cell of
-//  wall i and 2 i + 1 at the upper one
+//- The wall faces of each cell that has any: chains of its sides, 2 i at the
+//  lower cell of wall i and 2 i + 1 at the upper one
 class cellWalls
 {
     const UList<wallFace>& walls_;
+
+    const Foam::fsi::wallOperator& operator_;
 
     //- First side of each cell, and the next one of each side; -1: none
     labelList first_;
     labelList next_;
 
-    label cell(const label side) const
+    //- Place of a side's cell at walls, or -1
+    label place(const label side) const
     {
         const wallFace& w = walls_[side/2];
-        return side % 2 ? w.upper : w.lower;
+        const label celli = side % 2 ? w.upper : w.lower;
+        return celli < 0 ? -1 : operator_.place(celli);
     }
 
 public:
 
-    cellWalls(const UList<wallFace>& walls, const label nCells)
+    explicit cellWalls(const Foam::fsi::fsiSystem& system)
     :
-        walls_(walls),
-        first_(nCells, -1),
-        next_(2*walls.size(), -1)
+        walls_(system.geometry.wallFaces()),
+        operator_(system.walls),
+        first_(system.walls.cells().size(), -1),
+        next_(2*walls_.size(), -1)
     {
         forAllReverse(next_, side)
         {
-            const label celli = cell(side);
-            if (celli >= 0)
+            const label at = place(side);
+            if (at >= 0)
             {
-                next_[side] = first_[celli];
-                first_[celli] = side;
+                next_[side] = first_[at];
+                first_[at] = side;
             }
         }
     }
 
-    //- Call action(cell, component of a node, value) for all components that a
-    //  cell's pressure acts on [m^2], once for each of them
+    //- Call action(place of a cell, component of a node, value) for all
+    //  components that a cell's pressure acts on [m^2], once for each of them
     template<class Action>
     void forLoads(const Action& action) const
     {
@@ -55,8 +60,8 @@ public:
         DynamicList<scalar> values;
         forAll(next_, side)
         {
-            const label celli = cell(side);
-            if (celli < 0 || first_[celli] != side)
+            const label at = place(side);
+            if (at < 0 || first_[at] != side)
             {
                 continue;
             }
@@ -68,7 +73,7 @@ public:
             }
             forAll(places, i)
             {
-                action(celli, places[i], values[i]);
+                action(at, places[i], values[i]);
             }
         }
     }
@@ -133,7 +138,7 @@ void Foam::fsi::objectsConductance::rowSums(scalarField& d) const
         }
     }
     system_.fromBoundary(force, uniform);
-    system_.walls.grossFlux(uniform, d);
+    system_.walls.addGrossFluxAtWalls(uniform, d);
 }
 
 
@@ -162,27 +167,27 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
         }
     }
 
-    d = Zero;
-    cellWalls(system_.geometry.wallFaces(), d.size()).forLoads
+    cellWalls(system_).forLoads
     (
-        [&](const label celli, const labelPair& place, const scalar value)
+        [&](const label at, const labelPair& place, const scalar value)
         {
-            d[celli] += sqr(value)*mobility[place.first()][place.second()];
+            d[at] += sqr(value)*mobility[place.first()][place.second()];
         }
     );
 }
 
 
-Foam::tmp<Foam::scalarField> Foam::fsi::objectsConductance::diagonal() const
+Foam::scalarField Foam::fsi::objectsConductance::diagonal() const
 {
-    const label nCells = system_.grid.mesh().nCells();
-    auto td = tmp<scalarField>::New(nCells, Zero);
-    rowSums(td.ref());
-
-    scalarField d(nCells);
+    const label n = system_.walls.cells().size();
+    scalarField rows(n, Zero), d(n, Zero);
+    rowSums(rows);
     nodeDiagonal(d);
-    td.ref() = max(max(td(), d), 0.0);
-    return td;
+    forAll(d, at)
+    {
+        d[at] = max(max(rows[at], d[at]), 0.0);
+    }
+    return d;
 }
 
 

@@ -4,8 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "filmPressure.H"
-#include "fvmLaplacian.H"
-#include "fvcDiv.H"
+#include "openLaplacian.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -59,7 +58,7 @@ void Foam::fsi::solidImplicit::pressureForce
 ) const
 {
     vectorField nodal;
-    system_.walls.transpose(p, nodal);
+    system_.walls.transposeAtWalls(p, nodal);
     nodal *= system_.fluidDensity;
     system_.objects.toGroups(nodal, force);
 }
@@ -140,14 +139,9 @@ void Foam::fsi::solidImplicit::begin
 }
 
 
-void Foam::fsi::solidImplicit::solveMomentum
-(
-    fvVectorMatrix& UEqn,
-    const volVectorField& gradP
-)
+void Foam::fsi::solidImplicit::solveMomentum(fvVectorMatrix& UEqn)
 {
     volVectorField& U = const_cast<volVectorField&>(UEqn.psi());
-    UEqn += gradP;
     system_.fluid.constrain(UEqn);
 
     viscous_.solve(UEqn, U, predicted_, velocity_, linkForce_);
@@ -164,28 +158,25 @@ void Foam::fsi::solidImplicit::solvePressure
     const scalar rAU
 )
 {
-    const surfaceScalarField rAUf
-    (
-        dimensionedScalar("rAU", dimTime, rAU)*system_.geometry.openArea()
-    );
-    fvScalarMatrix pEqn(-fvm::laplacian(rAUf, p));
+    const interfaceGeometry& geometry = system_.geometry;
+    tmp<fvScalarMatrix> pEqn(openLaplacian(geometry, p, rAU));
 
     // Walls' flux without the pressure
+    const scalarField last(system_.walls.atWalls(oldPressure_));
     vectorField oldPart;
-    term_.velocity(system_.walls.atWalls(oldPressure_), oldPart);
-    scalarField wallFlux(p.size());
-    system_.walls.flux(wallVelocity_ - oldPart, wallFlux);
+    term_.velocity(last, oldPart);
+    scalarField source(p.size());
+    system_.walls.flux(oldPart - wallVelocity_, source);
+    subtractOutflow(phiHbyA, source);
 
-    scalarField source(-wallFlux);
-    source -= fvc::surfaceIntegrate(phiHbyA)().primitiveField()*p.mesh().V();
+    solveWithObjects(p, pEqn.ref(), source);
+    pEqn.clear();
 
-    solveWithObjects(p, pEqn, source);
-
-    phiHbyA += pEqn.flux();
+    subtractGradient(geometry, p, rAU, phiHbyA);
 
     // Velocities of all nodes with the increment of the pressure
     groupNodal force;
-    pressureForce(p.primitiveField() - oldPressure_, force);
+    pressureForce(system_.walls.atWalls(p) - last, force);
     forAll(force, groupi)
     {
         Eigen::MatrixXd increment(force[groupi].rows(), force[groupi].cols());

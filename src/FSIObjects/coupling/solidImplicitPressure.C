@@ -56,10 +56,14 @@ void Foam::fsi::solidImplicit::updateMultigrid
     }
     const auto interfaces = p.boundaryField().scalarInterfaces();
 
-    // Cells inside the objects conduct in the cycle, not in the equation
-    fvScalarMatrix conducting(pEqn);
-    conductance_.addTo(conducting);
-    multigrid_->update(conducting, conducting.boundaryCoeffs(), interfaces);
+    // Cells inside the objects conduct in the cycle, not in the equation,
+    // whose cells that are not active have a diagonal of exactly zero
+    const tmp<scalarField> g(conductance_.conductance());
+    scalarField diagonal(pEqn.diag());
+    objectsConductance::add(g(), 1, pEqn);
+    multigrid_->update(pEqn, pEqn.boundaryCoeffs(), interfaces);
+    objectsConductance::add(g(), -1, pEqn);
+    pEqn.diag().swap(diagonal);
     multigrid_->updateProduct(pEqn, pEqn.boundaryCoeffs(), interfaces);
 }
 
@@ -68,12 +72,11 @@ void Foam::fsi::solidImplicit::solveWithObjects
 (
     volScalarField& p,
     fvScalarMatrix& pEqn,
-    const scalarField& source
+    scalarField& b
 )
 {
     const boolList& active = system_.geometry.activeCell();
     scalarField& diagonal = pEqn.diag();
-    scalarField b(source);
     forAll(b, celli)
     {
         if (!active[celli])

@@ -3,8 +3,7 @@
 #include "weakCoupling.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
-#include "fvmLaplacian.H"
-#include "fvcSurfaceIntegrate.H"
+#include "openLaplacian.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -100,13 +99,8 @@ void Foam::fsi::weakCoupling::begin
 }
 
 
-void Foam::fsi::weakCoupling::solveMomentum
-(
-    fvVectorMatrix& UEqn,
-    const volVectorField& gradP
-)
+void Foam::fsi::weakCoupling::solveMomentum(fvVectorMatrix& UEqn)
 {
-    UEqn += gradP;
     system_.fluid.constrain(UEqn);
     for (const wallLink& link : system_.geometry.wallLinks())
     {
@@ -126,21 +120,15 @@ void Foam::fsi::weakCoupling::solvePressure
     const scalar rAU
 )
 {
-    const surfaceScalarField rAUf
-    (
-        dimensionedScalar("rAU", dimTime, rAU)*system_.geometry.openArea()
-    );
-    fvScalarMatrix pEqn(-fvm::laplacian(rAUf, p));
+    tmp<fvScalarMatrix> tpEqn(openLaplacian(system_.geometry, p, rAU));
+    fvScalarMatrix& pEqn = tpEqn.ref();
 
-    scalarField wallFlux(p.size());
-    system_.walls.flux(wallVelocity_, wallFlux);
-    pEqn.source() -= wallFlux;
-    pEqn.source() -=
-        fvc::surfaceIntegrate(phiHbyA)().primitiveField()*p.mesh().V();
+    system_.walls.flux(-wallVelocity_, pEqn.source());
+    subtractOutflow(phiHbyA, pEqn.source());
     system_.geometry.removeNetSource(p, pEqn.source());
 
     solveFluidPressure(p, pEqn);
-    phiHbyA += pEqn.flux();
+    subtractGradient(system_.geometry, p, rAU, phiHbyA);
 }
 
 

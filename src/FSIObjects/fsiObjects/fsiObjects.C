@@ -122,7 +122,7 @@ void Foam::fsi::fsiObjects::fillNewCells
     fillFromNeighbours
     (
         mesh_,
-        scalarField(mesh_.nFaces(), 1),
+        nullptr,
         cells,
         known,
         p.primitiveFieldRef()

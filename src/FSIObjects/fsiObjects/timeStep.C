@@ -3,7 +3,46 @@
 #include "timeStep.H"
 #include "fsiObjects.H"
 #include "dictionaryCheck.H"
-#include "fvcSurfaceIntegrate.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Largest sum of |phi|/(2 V) over the faces of a cell of all ranks [1/s]
+static scalar largestRate(const surfaceScalarField& phi)
+{
+    const fvMesh& mesh = phi.mesh();
+    scalarField sums(mesh.nCells(), Zero);
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(own, facei)
+    {
+        sums[own[facei]] += mag(phi[facei]);
+        sums[nei[facei]] += mag(phi[facei]);
+    }
+    for (const fvsPatchScalarField& pphi : phi.boundaryField())
+    {
+        const labelUList& cells = pphi.patch().faceCells();
+        forAll(pphi, i)
+        {
+            sums[cells[i]] += mag(pphi[i]);
+        }
+    }
+    const scalarField& V = mesh.V();
+    scalar largest = 0;
+    forAll(sums, celli)
+    {
+        largest = max(largest, sums[celli]/V[celli]);
+    }
+    return 0.5*returnReduce(largest, maxOp<scalar>());
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -67,9 +106,7 @@ void Foam::fsi::timeStep::adjust
 )
 {
     const scalar dt = time_.deltaTValue();
-    const scalar fluid =
-        0.5*gMax(fvc::surfaceSum(mag(phi))().primitiveField()/phi.mesh().V())
-       *dt;
+    const scalar fluid = dt*largestRate(phi);
     const scalar solid = objects.courantNo();
     Info<< "Courant Number fluid: " << fluid << " objects: " << solid << endl;
 

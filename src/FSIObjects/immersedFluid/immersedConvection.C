@@ -2,8 +2,6 @@
 
 #include "immersedFluid.H"
 #include "fvmDiv.H"
-#include "fvmSup.H"
-#include "fvcDiv.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -65,61 +63,16 @@ static List<vectorField> valuesAcross(const volVectorField& U)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::wholeFlux
-(
-    const surfaceScalarField& phi,
-    const volVectorField& U,
-    const vectorField& wallVelocity
-) const
-{
-    const surfaceScalarField& open = geometry_.openArea();
-    const tmp<surfaceScalarField> whole
-    (
-        faceVelocity(U, wallVelocity, nullptr)
-    );
-    const surfaceScalarField& area = U.mesh().magSf();
-    auto tflux = tmp<surfaceScalarField>::New("convectiveFlux", phi);
-    surfaceScalarField& flux = tflux.ref();
-    forAll(flux, facei)
-    {
-        if (open[facei] < 1)
-        {
-            flux[facei] = whole()[facei]*area[facei];
-        }
-    }
-    forAll(flux.boundaryField(), patchi)
-    {
-        fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
-        forAll(pf, i)
-        {
-            if (pf.coupled() && open.boundaryField()[patchi][i] < 1)
-            {
-                pf[i] =
-                    whole().boundaryField()[patchi][i]
-                   *area.boundaryField()[patchi][i];
-            }
-        }
-    }
-    return tflux;
-}
-
-
-Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::wallConvection
+void Foam::fsi::immersedFluid::addWallConvection
 (
     const surfaceScalarField& flux,
     const volVectorField& U,
-    const vectorField& wallVelocity
+    const vectorField& wallVelocity,
+    vectorField& source
 ) const
 {
     const fvMesh& mesh = U.mesh();
     const List<vectorField> across(valuesAcross(U));
-    auto tsource = tmp<volVectorField>::New
-    (
-        IOobject("wallConvection", mesh.time().timeName(), mesh),
-        mesh,
-        dimensionedVector(dimAcceleration, Zero)
-    );
-    volVectorField& source = tsource.ref();
     for (const wallLink& link : geometry_.wallLinks())
     {
         scalar out = 0;
@@ -136,31 +89,100 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::wallConvection
             (
                 u + part*(link.place.interpolate(wallVelocity) - u)
             );
-            source[link.cell] -= out*(onFace - linear)/mesh.V()[link.cell];
+            source[link.cell] -= out*(onFace - linear);
         }
     }
-    return tsource;
+}
+
+
+void Foam::fsi::immersedFluid::addDiffusion
+(
+    const surfaceScalarField& flux,
+    const scalar viscosity,
+    fvVectorMatrix& equation
+) const
+{
+    const fvMesh& mesh = flux.mesh();
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    const scalar conductance =
+        viscosity*geometry_.grid().faceArea()/geometry_.grid().spacing();
+
+    scalarField& diagonal = equation.diag();
+    scalarField& upper = equation.upper();
+    scalarField& lower = equation.lower();
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(upper, facei)
+    {
+        const scalar g = conductance*fluidFace[facei];
+        upper[facei] -= g;
+        lower[facei] -= g;
+        diagonal[own[facei]] += g - flux[facei];
+        diagonal[nei[facei]] += g + flux[facei];
+    }
+    forAll(mesh.boundary(), patchi)
+    {
+        const fvPatchVectorField& pU = equation.psi().boundaryField()[patchi];
+        const scalarField g
+        (
+            viscosity*fluidFace.boundaryField()[patchi]
+           *pU.patch().magSf()
+        );
+        const scalarField& perLength = pU.patch().deltaCoeffs();
+        const bool coupled = pU.coupled();
+        equation.internalCoeffs()[patchi] -=
+            g*(coupled ? pU.gradientInternalCoeffs(perLength)
+                       : pU.gradientInternalCoeffs());
+        equation.boundaryCoeffs()[patchi] +=
+            g*(coupled ? pU.gradientBoundaryCoeffs(perLength)
+                       : pU.gradientBoundaryCoeffs());
+        const labelUList& cells = pU.patch().faceCells();
+        forAll(cells, i)
+        {
+            diagonal[cells[i]] -= flux.boundaryField()[patchi][i];
+        }
+    }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedFluid::convection
+Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedFluid::momentum
 (
     const surfaceScalarField& phi,
     volVectorField& U,
-    const vectorField& wallVelocity
+    const vectorField& wallVelocity,
+    const scalar viscosity,
+    const volVectorField& gradient,
+    const vector& acceleration
 ) const
 {
-    if (!wholeFace_)
+    const tmp<surfaceScalarField> tflux
+    (
+        wholeFace_
+      ? faces_.wholeFlux(phi, U, wallVelocity)
+      : tmp<surfaceScalarField>(phi)
+    );
+    tmp<fvVectorMatrix> tequation(fvm::div(tflux(), U, "div(phi,U)"));
+    fvVectorMatrix& equation = tequation.ref();
+    addDiffusion(tflux(), viscosity, equation);
+
+    const scalar perStep = 1/U.time().deltaTValue();
+    const scalarField& V = U.mesh().V();
+    const vectorField& last = U.oldTime().primitiveField();
+    scalarField& diagonal = equation.diag();
+    vectorField& source = equation.source();
+    forAll(source, celli)
     {
-        return fvm::div(phi, U) - fvm::Sp(fvc::div(phi), U);
+        diagonal[celli] += V[celli]*perStep;
+        source[celli] +=
+            V[celli]*(perStep*last[celli] + acceleration - gradient[celli]);
     }
-    const surfaceScalarField flux(wholeFlux(phi, U, wallVelocity));
-    return
-        fvm::div(flux, U, "div(phi,U)")
-      - fvm::Sp(fvc::div(flux), U)
-      - wallConvection(flux, U, wallVelocity);
+    if (wholeFace_)
+    {
+        addWallConvection(tflux(), U, wallVelocity, source);
+    }
+    return tequation;
 }
 
 

@@ -25,6 +25,7 @@ Foam::fsi::immersedFluid::immersedFluid
 )
 :
     geometry_(geometry),
+    faces_(geometry),
     faceHistory_
     (
         IOobject

@@ -51,15 +51,14 @@ void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
         }
     }
     List<direction> count(mesh.nCells(), direction(0));
-    const labelUList& own = mesh.owner();
-    const labelUList& nei = mesh.neighbour();
-    forAll(own, facei)
+    for (const wallLink& link : geometry_.wallLinks())
     {
-        if (fluid[own[facei]] != fluid[nei[facei]])
+        if (link.face < mesh.nInternalFaces())
         {
-            const bool out = fluid[own[facei]];
-            const label solid = out ? nei[facei] : own[facei];
-            gradient[solid] += gradient[out ? own[facei] : nei[facei]];
+            const label own = mesh.faceOwner()[link.face];
+            const label solid =
+                own == link.cell ? mesh.faceNeighbour()[link.face] : own;
+            gradient[solid] += gradient[link.cell];
             ++count[solid];
         }
     }
@@ -78,8 +77,7 @@ void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
 void Foam::fsi::immersedFluid::sumFaceGradients
 (
     const volScalarField& p,
-    vectorField& sum,
-    vectorField& weight
+    vectorField& sum
 ) const
 {
     const fvMesh& mesh = p.mesh();
@@ -96,8 +94,6 @@ void Foam::fsi::immersedFluid::sumFaceGradients
         const scalar g = forwards*(p[nei[facei]] - p[own[facei]])*perSpacing;
         sum[own[facei]][d] += g;
         sum[nei[facei]][d] += g;
-        weight[own[facei]][d] += w;
-        weight[nei[facei]][d] += w;
     }
     forAll(p.boundaryField(), patchi)
     {
@@ -120,8 +116,61 @@ void Foam::fsi::immersedFluid::sumFaceGradients
                     pp.patch().Sf()[i][d] > 0
                   ? w*gradients[i]
                   : -w*gradients[i];
-                weight[cells[i]][d] += w;
             }
+        }
+    }
+}
+
+
+void Foam::fsi::immersedFluid::divideByWeights
+(
+    const volScalarField& p,
+    vectorField& gradient
+) const
+{
+    const fvMesh& mesh = p.mesh();
+    const cartesianMesh& grid = geometry_.grid();
+    const surfaceScalarField& open = geometry_.openArea();
+
+    // Weights are set in cells at walls only
+    boolList cut(mesh.nCells(), false);
+    vectorField weight(mesh.nCells());
+    const auto take = [&](const label facei, const label celli, const scalar w)
+    {
+        if (!cut[celli])
+        {
+            cut[celli] = true;
+            weight[celli] = vector::uniform(2);
+        }
+        weight[celli][grid.faceDirection(facei)] -= w;
+    };
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(own, facei)
+    {
+        if (open[facei] < 1)
+        {
+            take(facei, own[facei], 1 - open[facei]);
+            take(facei, nei[facei], 1 - open[facei]);
+        }
+    }
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        const bool counts = pp.coupled() || pp.fixesValue();
+        const labelUList& cells = pp.patch().faceCells();
+        forAll(pp, i)
+        {
+            const scalar w = counts ? open.boundaryField()[patchi][i] : 0;
+            take(pp.patch().start() + i, cells[i], 1 - w);
+        }
+    }
+    forAll(gradient, celli)
+    {
+        for (direction d = 0; d < grid.nDims(); ++d)
+        {
+            gradient[celli][d] /=
+                cut[celli] ? max(weight[celli][d], SMALL) : 2;
         }
     }
 }
@@ -171,17 +220,8 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
         extrapolatedCalculatedFvPatchVectorField::typeName
     );
     volVectorField& gradient = tgradient.ref();
-    vectorField weight(mesh.nCells(), Zero);
-    sumFaceGradients(p, gradient.primitiveFieldRef(), weight);
-
-    const direction nDims = geometry_.grid().nDims();
-    forAll(gradient, celli)
-    {
-        for (direction d = 0; d < nDims; ++d)
-        {
-            gradient[celli][d] /= max(weight[celli][d], SMALL);
-        }
-    }
+    sumFaceGradients(p, gradient.primitiveFieldRef());
+    divideByWeights(p, gradient.primitiveFieldRef());
     gradient.correctBoundaryConditions();
 
     return tgradient;

@@ -15,29 +15,32 @@ Foam::fsi::wallOperator::wallOperator(const interfaceGeometry& geometry)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::labelList Foam::fsi::wallOperator::setCells()
+void Foam::fsi::wallOperator::setCells()
 {
-    labelList place(geometry_.grid().mesh().nCells(), -1);
+    place_.setSize(geometry_.grid().mesh().nCells(), -1);
+    for (const label celli : cells_)
+    {
+        place_[celli] = -1;
+    }
     for (const wallFace& w : geometry_.wallFaces())
     {
         for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0)
             {
-                place[celli] = 0;
+                place_[celli] = 0;
             }
         }
     }
     cells_.clear();
-    forAll(place, celli)
+    forAll(place_, celli)
     {
-        if (place[celli] >= 0)
+        if (place_[celli] >= 0)
         {
-            place[celli] = cells_.size();
+            place_[celli] = cells_.size();
             cells_.append(celli);
         }
     }
-    return place;
 }
 
 
@@ -47,7 +50,7 @@ void Foam::fsi::wallOperator::setEntries()
     {
         entries.clear();
     }
-    const labelList place(setCells());
+    setCells();
     perArea_.setSize(nObjects_);
     perArea_ = Zero;
     for (const wallFace& w : geometry_.wallFaces())
@@ -61,8 +64,8 @@ void Foam::fsi::wallOperator::setEntries()
             {
                 entries_[kind].append
                 ({
-                    w.lower < 0 ? -1 : place[w.lower],
-                    w.upper < 0 ? -1 : place[w.upper],
+                    w.lower < 0 ? -1 : place_[w.lower],
+                    w.upper < 0 ? -1 : place_[w.upper],
                     w.place.object,
                     label(3*a + w.dir),
                     label(3*b + w.dir),
@@ -168,14 +171,14 @@ void Foam::fsi::wallOperator::gradientForce
     const scalar h = geometry_.grid().spacing();
 
     // Closed area around each cell with its centre inside an object
-    scalarField closed(fluid.size(), Zero);
+    scalarField closed(cells_.size(), Zero);
     for (const wallFace& w : faces)
     {
         for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0 && !fluid[celli])
             {
-                closed[celli] += w.area;
+                closed[place_[celli]] += w.area;
             }
         }
     }
@@ -194,7 +197,8 @@ void Foam::fsi::wallOperator::gradientForce
             w.place.spread(f, w.dir, 0.5*h*w.area*g[celli][w.dir]);
             if (!fluid[celli])
             {
-                w.place.spread(f, -w.area/closed[celli]*V[celli]*g[celli]);
+                const scalar part = w.area/closed[place_[celli]];
+                w.place.spread(f, -part*V[celli]*g[celli]);
             }
         }
     }

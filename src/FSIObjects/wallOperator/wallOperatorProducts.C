@@ -100,24 +100,6 @@ void Foam::fsi::wallOperator::addFluxLess
 }
 
 
-template<class Product>
-void Foam::fsi::wallOperator::toCells
-(
-    const Product& product,
-    scalarField& Jv
-) const
-{
-    atCells_.setSize(cells_.size());
-    atCells_ = Zero;
-    product(atCells_);
-    Jv = Zero;
-    forAll(cells_, i)
-    {
-        Jv[cells_[i]] = atCells_[i];
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::wallOperator::addFluxAtWalls
@@ -143,18 +125,23 @@ void Foam::fsi::wallOperator::flux
     scalarField& Jv
 ) const
 {
-    toCells([&](scalarField& atWalls) { addFluxAtWalls(v, atWalls); }, Jv);
+    scalarField atWalls(cells_.size(), Zero);
+    addFluxAtWalls(v, atWalls);
+    Jv = Zero;
+    forAll(cells_, i)
+    {
+        Jv[cells_[i]] = atWalls[i];
+    }
 }
 
 
-void Foam::fsi::wallOperator::grossFlux
+void Foam::fsi::wallOperator::addGrossFluxAtWalls
 (
     const vectorField& v,
     scalarField& Jv
 ) const
 {
-    const scalarField none(nObjects_, Zero);
-    toCells([&](scalarField& atWalls) { addFluxLess(none, v, atWalls); }, Jv);
+    addFluxLess(scalarField(nObjects_, Zero), v, Jv);
 }
 
 

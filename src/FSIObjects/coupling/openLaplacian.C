@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "openLaplacian.H"
+#include "volFields.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::openLaplacian
+(
+    const interfaceGeometry& geometry,
+    const volScalarField& p,
+    const scalar rAU
+)
+{
+    const fvMesh& mesh = p.mesh();
+    const surfaceScalarField& open = geometry.openArea();
+    const scalar whole =
+        rAU*geometry.grid().faceArea()/geometry.grid().spacing();
+
+    auto tequation = tmp<fvScalarMatrix>::New
+    (
+        p,
+        dimVolume*p.dimensions()*dimTime/dimArea
+    );
+    fvScalarMatrix& equation = tequation.ref();
+    scalarField& diagonal = equation.diag();
+    scalarField& upper = equation.upper();
+    diagonal = Zero;
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(upper, facei)
+    {
+        const scalar g = whole*open[facei];
+        upper[facei] = -g;
+        diagonal[own[facei]] += g;
+        diagonal[nei[facei]] += g;
+    }
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        const scalarField g
+        (
+            rAU*open.boundaryField()[patchi]*pp.patch().magSf()
+        );
+        const scalarField& perLength = pp.patch().deltaCoeffs();
+        const bool coupled = pp.coupled();
+        equation.internalCoeffs()[patchi] =
+            -g
+           *(
+                coupled
+              ? pp.gradientInternalCoeffs(perLength)
+              : pp.gradientInternalCoeffs()
+            );
+        equation.boundaryCoeffs()[patchi] =
+            g
+           *(
+                coupled
+              ? pp.gradientBoundaryCoeffs(perLength)
+              : pp.gradientBoundaryCoeffs()
+            );
+    }
+    return tequation;
+}
+
+
+void Foam::fsi::subtractOutflow
+(
+    const surfaceScalarField& flux,
+    scalarField& source
+)
+{
+    const labelUList& own = flux.mesh().owner();
+    const labelUList& nei = flux.mesh().neighbour();
+    forAll(own, facei)
+    {
+        source[own[facei]] -= flux[facei];
+        source[nei[facei]] += flux[facei];
+    }
+    for (const fvsPatchScalarField& pf : flux.boundaryField())
+    {
+        const labelUList& cells = pf.patch().faceCells();
+        forAll(pf, i)
+        {
+            source[cells[i]] -= pf[i];
+        }
+    }
+}
+
+
+void Foam::fsi::subtractGradient
+(
+    const interfaceGeometry& geometry,
+    const volScalarField& p,
+    const scalar rAU,
+    surfaceScalarField& flux
+)
+{
+    const surfaceScalarField& open = geometry.openArea();
+    const scalar whole =
+        rAU*geometry.grid().faceArea()/geometry.grid().spacing();
+    const labelUList& own = p.mesh().owner();
+    const labelUList& nei = p.mesh().neighbour();
+    forAll(own, facei)
+    {
+        flux[facei] -= whole*open[facei]*(p[nei[facei]] - p[own[facei]]);
+    }
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        const tmp<scalarField> gradient
+        (
+            pp.coupled()
+          ? pp.snGrad(pp.patch().deltaCoeffs())
+          : pp.snGrad()
+        );
+        flux.boundaryFieldRef()[patchi] -=
+            rAU*open.boundaryField()[patchi]*pp.patch().magSf()*gradient;
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "faceVelocities.H"
+#include "swapCoupledCells.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::faceVelocities::setCutFaces
+(
+    const sources& v,
+    const wanted what,
+    surfaceScalarField& result
+) const
+{
+    const fvMesh& mesh = v.U.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const surfaceScalarField& open = geometry_.openArea();
+    const scalar scale =
+        what == wanted::wholeFlux ? geometry_.grid().faceArea() : 1;
+
+    // Not set on other patches, of which the empty ones are large
+    scalarField onBoundary(mesh.nFaces() - nInternal);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (patch.coupled())
+        {
+            SubList<scalar>(onBoundary, patch.size(), patch.start() - nInternal)
+                = Zero;
+        }
+    }
+    const auto set = [&](const label facei, const scalar along)
+    {
+        const scalar value =
+            geometry_.grid().faceAlong(facei) ? scale*along : -scale*along;
+        if (facei >= nInternal)
+        {
+            onBoundary[facei - nInternal] = value;
+        }
+        else if (what == wanted::velocity || open[facei] < 1)
+        {
+            result[facei] = value;
+        }
+    };
+
+    // Between a fluid cell's centre and the wall
+    for (const wallLink& link : geometry_.wallLinks())
+    {
+        const scalar wall = link.place.interpolate(v.wall, link.dir);
+        const scalar part = min(0.5/link.wallDistance, 1.0);
+        set
+        (
+            link.face,
+            (1 - part)*v.U[link.cell][link.dir] + part*wall
+          + v.increment(link.cell, link.dir)
+        );
+    }
+
+    // Between two cells with their centres inside objects. Across a coupled
+    // patch each side gives half
+    for (const label walli : geometry_.innerFaces())
+    {
+        const wallFace& w = geometry_.wallFaces()[walli];
+        const label own = mesh.faceOwner()[w.face];
+        const bool internal = w.face < nInternal;
+        const label nei = internal ? mesh.faceNeighbour()[w.face] : own;
+        const scalar value =
+            w.place.interpolate(v.wall, w.dir)
+          + 0.5*(v.increment(own, w.dir) + v.increment(nei, w.dir));
+        set(w.face, internal ? value : 0.5*value);
+    }
+    setCutPatchFaces(onBoundary, what, result);
+}
+
+
+void Foam::fsi::faceVelocities::setCutPatchFaces
+(
+    const scalarField& onBoundary,
+    const wanted what,
+    surfaceScalarField& result
+) const
+{
+    // The side of a coupled patch that holds the fluid cell tells the other,
+    // whose normal is the opposite. On a patch of the domain the velocity is
+    // the patch's own
+    scalarList across;
+    swapCoupledFaces(result.mesh(), onBoundary, across);
+    const label nInternal = result.mesh().nInternalFaces();
+    forAll(result.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& pr = result.boundaryFieldRef()[patchi];
+        const fvsPatchScalarField& fluidFace =
+            geometry_.fluidFace().boundaryField()[patchi];
+        const fvsPatchScalarField& open =
+            geometry_.openArea().boundaryField()[patchi];
+        for (label i = 0; i < pr.size() && pr.coupled(); ++i)
+        {
+            if
+            (
+                fluidFace[i] < 0.5
+             && (what == wanted::velocity || open[i] < 1)
+            )
+            {
+                const label facei = pr.patch().start() + i - nInternal;
+                pr[i] = onBoundary[facei] - across[facei];
+            }
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsi::faceVelocities::meanVelocity
+(
+    const vectorField& U,
+    const labelUList& own,
+    const labelUList& nei,
+    const label facei
+) const
+{
+    const cartesianMesh& grid = geometry_.grid();
+    const direction d = grid.faceDirection(facei);
+    const scalar mean = 0.5*(U[own[facei]][d] + U[nei[facei]][d]);
+    return grid.faceAlong(facei) ? mean : -mean;
+}
+
+
+Foam::scalarField Foam::fsi::faceVelocities::patchVelocity
+(
+    const volVectorField& U,
+    const label patchi
+)
+{
+    const fvPatchVectorField& pU = U.boundaryField()[patchi];
+    const tmp<vectorField> onPatch
+    (
+        pU.coupled()
+      ? 0.5*(pU.patchInternalField() + pU.patchNeighbourField())
+      : tmp<vectorField>(pU)
+    );
+    return onPatch & pU.patch().nf();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
+(
+    const sources& v
+) const
+{
+    const fvMesh& mesh = v.U.mesh();
+    tmp<volVectorField> sum(v.U);
+    if (v.gradient)
+    {
+        // Patches that fix the velocity keep it
+        sum = tmp<volVectorField>::New("HbyA", v.U);
+        vectorField& u = sum.ref().primitiveFieldRef();
+        forAll(u, celli)
+        {
+            u[celli] += v.rAU*(*v.gradient)[celli];
+        }
+        sum.ref().correctBoundaryConditions();
+    }
+
+    auto tvelocity = tmp<surfaceScalarField>::New
+    (
+        IOobject("faceVelocity", mesh.time().timeName(), mesh),
+        mesh,
+        dimVelocity
+    );
+    surfaceScalarField& velocity = tvelocity.ref();
+    velocity.setOriented();
+    const vectorField& cells = sum().primitiveField();
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(velocity, facei)
+    {
+        velocity[facei] = meanVelocity(cells, own, nei, facei);
+    }
+    forAll(velocity.boundaryField(), patchi)
+    {
+        velocity.boundaryFieldRef()[patchi] = patchVelocity(sum(), patchi);
+    }
+    setCutFaces(v, wanted::velocity, velocity);
+    return tvelocity;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::wholeFlux
+(
+    const surfaceScalarField& phi,
+    const volVectorField& U,
+    const vectorField& wallVelocity
+) const
+{
+    const surfaceScalarField& open = geometry_.openArea();
+    const scalar area = geometry_.grid().faceArea();
+    auto tflux = tmp<surfaceScalarField>::New("convectiveFlux", phi);
+    surfaceScalarField& flux = tflux.ref();
+    const labelUList& own = U.mesh().owner();
+    const labelUList& nei = U.mesh().neighbour();
+    forAll(flux, facei)
+    {
+        if (open[facei] < 1)
+        {
+            flux[facei] = area*meanVelocity(U, own, nei, facei);
+        }
+    }
+    forAll(flux.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
+        if (pf.coupled())
+        {
+            const scalarField whole(area*patchVelocity(U, patchi));
+            forAll(pf, i)
+            {
+                if (open.boundaryField()[patchi][i] < 1)
+                {
+                    pf[i] = whole[i];
+                }
+            }
+        }
+    }
+    setCutFaces({U, wallVelocity, nullptr, 0}, wanted::wholeFlux, flux);
+    return tflux;
+}
+
+
+// ************************************************************************* //
