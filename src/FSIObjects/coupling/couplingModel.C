@@ -53,6 +53,19 @@ Foam::autoPtr<Foam::fsi::couplingModel> Foam::fsi::couplingModel::New
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
+void Foam::fsi::couplingModel::constrainVolume(groupNodal& v) const
+{
+    forAll(v, groupi)
+    {
+        system_.objects.groups()[groupi].constrainVolume
+        (
+            system_.deltaT(),
+            v[groupi]
+        );
+    }
+}
+
+
 void Foam::fsi::couplingModel::contact(groupNodal& v) const
 {
     const stepTimer::section section(timer_, stepTimer::part::contact);

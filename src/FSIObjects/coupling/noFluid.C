@@ -2,6 +2,7 @@
 
 #include "noFluid.H"
 #include "addToRunTimeSelectionTable.H"
+#include "sharedPrediction.H"
 #include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -42,13 +43,8 @@ void Foam::fsi::noFluid::begin
     const Time& time = system_.grid.mesh().time();
     const scalar dt = time.deltaTValue();
 
-    velocity_.setSize(force.size());
-    forAll(force, groupi)
-    {
-        bodyGroup& group = system_.objects.groups()[groupi];
-        group.predict(time.value() - dt, dt, force[groupi], velocity_[groupi]);
-        group.constrainVolume(dt, velocity_[groupi]);
-    }
+    predictShared(system_.objects, time.value() - dt, dt, force, velocity_);
+    constrainVolume(velocity_);
     contact(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 }

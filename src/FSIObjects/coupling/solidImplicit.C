@@ -5,6 +5,7 @@
 #include "dictionaryCheck.H"
 #include "filmPressure.H"
 #include "openLaplacian.H"
+#include "sharedPrediction.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -37,19 +38,6 @@ Foam::fsi::solidImplicit::solidImplicit
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::solidImplicit::constrainVolume(groupNodal& v) const
-{
-    forAll(v, groupi)
-    {
-        system_.objects.groups()[groupi].constrainVolume
-        (
-            system_.deltaT(),
-            v[groupi]
-        );
-    }
-}
-
 
 void Foam::fsi::solidImplicit::pressureForce
 (
@@ -126,13 +114,11 @@ void Foam::fsi::solidImplicit::begin
     system_.objects.toGroups(system_.fluidDensity*nodal, total);
     addRigid(gradientForce_, total);
 
-    predicted_.setSize(total.size());
     forAll(total, groupi)
     {
-        bodyGroup& group = system_.objects.groups()[groupi];
         total[groupi] += force[groupi];
-        group.predict(time, dt, total[groupi], predicted_[groupi]);
     }
+    predictShared(system_.objects, time, dt, total, predicted_);
     constrainVolume(predicted_);
     velocity_ = predicted_;
     system_.objects.toSurface(velocity_, wallVelocity_);

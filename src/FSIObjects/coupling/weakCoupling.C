@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "openLaplacian.H"
+#include "sharedPrediction.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -58,11 +59,10 @@ void Foam::fsi::weakCoupling::predict
     system_.objects.toGroups(hydrodynamicForce_, total);
     forAll(total, groupi)
     {
-        bodyGroup& group = system_.objects.groups()[groupi];
         total[groupi] += force_[groupi];
-        group.predict(time, dt, total[groupi], velocity_[groupi]);
-        group.constrainVolume(dt, velocity_[groupi]);
     }
+    predictShared(system_.objects, time, dt, total, velocity_);
+    constrainVolume(velocity_);
     contact(velocity_);
 }
 

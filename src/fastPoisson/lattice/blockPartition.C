@@ -5,20 +5,98 @@
 #include "PstreamReduceOps.H"
 #include "boundBox.H"
 #include <algorithm>
+#include "DynamicList.H"
 #include <set>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::fsi::blockPartition::setCuts
+(
+    const List<boxEnds>& boxes,
+    const labelVector& n,
+    const label step
+)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        // Lower sides that lie within a step are one cut, amid them and the
+        // upper sides of the boxes before
+        std::set<label> sides;
+        for (const boxEnds& ends : boxes)
+        {
+            sides.insert(ends[2*d]);
+        }
+        DynamicList<label> cuts;
+        cuts.append(0);
+        for (auto first = sides.begin(); first != sides.end();)
+        {
+            const auto last = sides.upper_bound(*first + step);
+            label low = *first;
+            label high = *std::prev(last);
+            for (const boxEnds& ends : boxes)
+            {
+                const label end = ends[2*d + 1];
+                if (end < n[d] && mag(end - low) <= 2*step)
+                {
+                    high = max(high, end);
+                }
+            }
+            if (low > step)
+            {
+                cuts.append((low + high)/2);
+            }
+            first = last;
+        }
+        cuts.append(n[d]);
+        cuts_[d] = cuts;
+    }
+}
+
+
+bool Foam::fsi::blockPartition::placeBoxes
+(
+    const List<boxEnds>& boxes,
+    const label step
+)
+{
+    rank_.setSize(boxes.size());
+    rank_ = -1;
+    forAll(boxes, ranki)
+    {
+        labelVector position;
+        for (direction d = 0; d < 3; ++d)
+        {
+            const label low = boxes[ranki][2*d];
+            const label high = boxes[ranki][2*d + 1];
+            position[d] = 0;
+            while
+            (
+                position[d] + 1 < nBoxes(d)
+             && cuts_[d][position[d] + 1] <= low + step
+            )
+            {
+                ++position[d];
+            }
+            if (cuts_[d][position[d] + 1] < high - step)
+            {
+                return false;
+            }
+        }
+        rank_[box(position)] = ranki;
+    }
+    return !rank_.found(-1);
+}
+
+
 bool Foam::fsi::blockPartition::takeBoxes
 (
     const cartesianMap& map,
-    const label comm
+    const label comm,
+    const label step
 )
 {
-    const label nRanks = UPstream::nProcs(comm);
-    const label me = UPstream::myProcNo(comm);
-
-    List<FixedList<label, 6>> boxes(nRanks, FixedList<label, 6>(label(0)));
+    List<boxEnds> boxes(UPstream::nProcs(comm), boxEnds(label(0)));
+    boxEnds& mine = boxes[UPstream::myProcNo(comm)];
     for (direction d = 0; d < 3; ++d)
     {
         label low = labelMax;
@@ -28,44 +106,16 @@ bool Foam::fsi::blockPartition::takeBoxes
             low = min(low, cell[d]);
             high = max(high, cell[d] + 1);
         }
-        boxes[me][2*d] = low;
-        boxes[me][2*d + 1] = high;
+        mine[2*d] = low;
+        mine[2*d + 1] = high;
     }
     Pstream::gatherList(boxes, UPstream::msgType(), comm);
     Pstream::scatterList(boxes, UPstream::msgType(), comm);
 
-    label nGrid = 1;
-    for (direction d = 0; d < 3; ++d)
-    {
-        std::set<label> cuts{0, map.n()[d]};
-        for (const auto& ends : boxes)
-        {
-            cuts.insert(ends[2*d]);
-        }
-        cuts_[d] = labelList(cuts.begin(), cuts.end());
-        nGrid *= nBoxes(d);
-    }
-    if (nGrid != nRanks)
-    {
-        return false;
-    }
-
-    rank_.setSize(nRanks);
-    rank_ = -1;
-    forAll(boxes, ranki)
-    {
-        labelVector position;
-        for (direction d = 0; d < 3; ++d)
-        {
-            position[d] = cuts_[d].find(boxes[ranki][2*d]);
-            if (cuts_[d][position[d] + 1] < boxes[ranki][2*d + 1])
-            {
-                return false;
-            }
-        }
-        rank_[box(position)] = ranki;
-    }
-    return !rank_.found(-1);
+    setCuts(boxes, map.n(), step);
+    return
+        nBoxes(0)*nBoxes(1)*nBoxes(2) == boxes.size()
+     && placeBoxes(boxes, step);
 }
 
 
@@ -128,7 +178,11 @@ Foam::fsi::blockPartition::blockPartition(const cartesianMap& map)
     {
         pad_[d] = d < 2 || map.n()[d] > 1;
     }
-    if (nRanks == 1 || !takeBoxes(map, comm))
+    if
+    (
+        nRanks == 1
+     || !(takeBoxes(map, comm, 0) || takeBoxes(map, comm, largestStep))
+    )
     {
         makeBoxes(map, nRanks);
     }

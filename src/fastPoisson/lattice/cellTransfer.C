@@ -14,15 +14,19 @@ void Foam::fsi::cellTransfer::findRuns
 )
 {
     DynamicList<run> runs;
-    places_.setSize(map.cells().size());
     forAll(map.cells(), celli)
     {
+        if (places_[celli] < 0)
+        {
+            continue;
+        }
         const label place = layout.globalIndex(map.cells()[celli]);
         places_[celli] = place;
         if
         (
             runs.size()
          && runs.last().place + runs.last().length == place
+         && runs.last().cell + runs.last().length == celli
         )
         {
             ++runs.last().length;
@@ -48,67 +52,15 @@ void Foam::fsi::cellTransfer::sendToBoxes() const
 }
 
 
-void Foam::fsi::cellTransfer::planMessages
-(
-    const cartesianMap& map,
-    const blockPartition& partition
-)
+void Foam::fsi::cellTransfer::sendToCells() const
 {
-    const label nRanks = UPstream::nProcs(comm_);
-    labelList count(nRanks, label(0));
-    labelList owner(map.cells().size());
-    forAll(owner, celli)
-    {
-        owner[celli] = partition.owner(map.cells()[celli]);
-        ++count[owner[celli]];
-    }
-    labelList received(nRanks);
-    UPstream::allToAll(count, received, comm_);
-
-    sendSize_.setSize(nRanks);
-    sendOffset_.setSize(nRanks);
-    receiveSize_.setSize(nRanks);
-    receiveOffset_.setSize(nRanks);
-    labelList next(nRanks);
-    label nSent = 0;
-    label nReceived = 0;
-    for (label ranki = 0; ranki < nRanks; ++ranki)
-    {
-        next[ranki] = nSent;
-        sendSize_[ranki] = count[ranki]*sizeof(scalar);
-        sendOffset_[ranki] = nSent*sizeof(scalar);
-        receiveSize_[ranki] = received[ranki]*sizeof(scalar);
-        receiveOffset_[ranki] = nReceived*sizeof(scalar);
-        nSent += count[ranki];
-        nReceived += received[ranki];
-    }
-
-    sendCell_.setSize(nSent);
-    receivePlace_.setSize(nReceived);
-    sendBuffer_.setSize(nSent);
-    receiveBuffer_.setSize(nReceived);
-
-    // The place, as a number a double holds exactly, travels like a value
-    List<blockLayout> layouts(nRanks);
-    forAll(layouts, ranki)
-    {
-        if (count[ranki])
-        {
-            layouts[ranki] = partition.layout(ranki);
-        }
-    }
-    forAll(owner, celli)
-    {
-        const label i = next[owner[celli]]++;
-        sendCell_[i] = celli;
-        sendBuffer_[i] =
-            layouts[owner[celli]].globalIndex(map.cells()[celli]);
-    }
-    sendToBoxes();
-    forAll(receivePlace_, i)
-    {
-        receivePlace_[i] = label(receiveBuffer_[i]);
-    }
+    UPstream::allToAll
+    (
+        reinterpret_cast<const char*>(receiveBuffer_.cdata()),
+        receiveSize_, receiveOffset_,
+        reinterpret_cast<char*>(sendBuffer_.data()),
+        sendSize_, sendOffset_, comm_
+    );
 }
 
 
@@ -130,14 +82,12 @@ Foam::fsi::cellTransfer::cellTransfer
     }
     reduce(local_, andOp<bool>(), UPstream::msgType(), comm_);
 
-    if (local_)
-    {
-        findRuns(map, partition.layout(me));
-    }
-    else
+    places_.setSize(map.cells().size(), 0);
+    if (!local_)
     {
         planMessages(map, partition);
     }
+    findRuns(map, partition.layout(me));
 }
 
 
@@ -151,17 +101,17 @@ void Foam::fsi::cellTransfer::toBlock
     Type* block
 ) const
 {
+    for (const run& r : runs_)
+    {
+        const scalar* from = cells.cdata() + r.cell;
+        Type* to = block + r.place;
+        for (label i = 0; i < r.length; ++i)
+        {
+            to[i] = Type(factor*from[i]);
+        }
+    }
     if (local_)
     {
-        for (const run& r : runs_)
-        {
-            const scalar* from = cells.cdata() + r.cell;
-            Type* to = block + r.place;
-            for (label i = 0; i < r.length; ++i)
-            {
-                to[i] = Type(factor*from[i]);
-            }
-        }
         return;
     }
 
@@ -185,17 +135,17 @@ void Foam::fsi::cellTransfer::toCells
     UList<scalar>& cells
 ) const
 {
+    for (const run& r : runs_)
+    {
+        const Type* from = block + r.place;
+        scalar* to = cells.data() + r.cell;
+        for (label i = 0; i < r.length; ++i)
+        {
+            to[i] = factor*scalar(from[i]);
+        }
+    }
     if (local_)
     {
-        for (const run& r : runs_)
-        {
-            const Type* from = block + r.place;
-            scalar* to = cells.data() + r.cell;
-            for (label i = 0; i < r.length; ++i)
-            {
-                to[i] = factor*scalar(from[i]);
-            }
-        }
         return;
     }
 
@@ -203,16 +153,58 @@ void Foam::fsi::cellTransfer::toCells
     {
         receiveBuffer_[i] = block[receivePlace_[i]];
     }
-    UPstream::allToAll
-    (
-        reinterpret_cast<const char*>(receiveBuffer_.cdata()),
-        receiveSize_, receiveOffset_,
-        reinterpret_cast<char*>(sendBuffer_.data()),
-        sendSize_, sendOffset_, comm_
-    );
+    sendToCells();
     forAll(sendCell_, i)
     {
         cells[sendCell_[i]] = factor*sendBuffer_[i];
+    }
+}
+
+
+void Foam::fsi::cellTransfer::gather
+(
+    const labelUList& cells,
+    const scalarField& block,
+    scalarField& values
+) const
+{
+    if (!local_)
+    {
+        forAll(receivePlace_, i)
+        {
+            receiveBuffer_[i] = block[receivePlace_[i]];
+        }
+        sendToCells();
+    }
+    values.setSize(cells.size());
+    forAll(cells, i)
+    {
+        const label place = places_[cells[i]];
+        values[i] = place < 0 ? sendBuffer_[-1 - place] : block[place];
+    }
+}
+
+
+void Foam::fsi::cellTransfer::add
+(
+    const labelUList& cells,
+    const scalarField& values,
+    scalarField& block
+) const
+{
+    sendBuffer_ = 0;
+    forAll(cells, i)
+    {
+        const label place = places_[cells[i]];
+        (place < 0 ? sendBuffer_[-1 - place] : block[place]) += values[i];
+    }
+    if (!local_)
+    {
+        sendToBoxes();
+        forAll(receivePlace_, i)
+        {
+            block[receivePlace_[i]] += receiveBuffer_[i];
+        }
     }
 }
 

@@ -11,23 +11,18 @@ Foam::scalar Foam::fsi::cartesianMultigrid::addSparse
     scalarField& Ap
 ) const
 {
-    const labelUList& places = lattice_.transfer().places();
     const labelUList& cells = *term.cells();
-    termX_.setSize(cells.size());
+    lattice_.transfer().gather(cells, p, termX_);
     termAx_.setSize(cells.size());
-    forAll(cells, i)
-    {
-        termX_[i] = p[places[cells[i]]];
-    }
     termAx_ = Zero;
     term.add(termAx_, termX_);
     scalar dot = 0;
     forAll(cells, i)
     {
-        const scalar added = matrix_.sign()*termAx_[i];
-        Ap[places[cells[i]]] += added;
-        dot += added*termX_[i];
+        termAx_[i] *= matrix_.sign();
+        dot += termAx_[i]*termX_[i];
     }
+    lattice_.transfer().add(cells, termAx_, Ap);
     return dot;
 }
 
@@ -44,21 +39,7 @@ void Foam::fsi::cartesianMultigrid::addByCells
     cellAx_.setSize(cellX_.size());
     transfer.toCells(p.cdata(), 1, cellX_);
     transfer.toCells(Ap.cdata(), matrix_.sign(), cellAx_);
-    if (const labelUList* cells = term.cells())
-    {
-        termX_ = scalarField(cellX_, *cells);
-        termAx_.setSize(cells->size());
-        termAx_ = Zero;
-        term.add(termAx_, termX_);
-        forAll(*cells, i)
-        {
-            cellAx_[(*cells)[i]] += termAx_[i];
-        }
-    }
-    else
-    {
-        term.add(cellAx_, cellX_);
-    }
+    term.add(cellAx_, cellX_);
     transfer.toBlock(cellAx_, matrix_.sign(), Ap.data());
 }
 
@@ -72,7 +53,7 @@ Foam::scalar Foam::fsi::cartesianMultigrid::multiply
 {
     matrix_.halo().fill(p.data());
     scalar dot = product(matrix_.A(), p.cdata(), Ap.data());
-    if (term && term->cells() && lattice_.transfer().local())
+    if (term && term->cells())
     {
         dot += addSparse(*term, p, Ap);
     }

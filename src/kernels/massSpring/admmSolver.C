@@ -98,18 +98,18 @@ void Foam::fsi::admmSolver::solve
 (
     const scalar dt,
     const state& s,
+    const labelRange& copies,
     Eigen::MatrixXd& v
 )
 {
-    const label nCopies = s.positions.cols()/2;
     setTimeStep(dt);
     v.resize(s.positions.rows(), s.positions.cols());
     nIterations_ = 0;
     lastChange_ = 0;
 
-    for (label copyi = 0; copyi < nCopies;)
+    for (label copyi = copies.start(); copyi <= copies.last();)
     {
-        const label left = nCopies - copyi;
+        const label left = copies.last() + 1 - copyi;
         const label lanes = left >= 8 ? 8 : left >= 4 ? 4 : left >= 2 ? 2 : 1;
         resize(lanes);
         switch (lanes)
@@ -121,6 +121,17 @@ void Foam::fsi::admmSolver::solve
         }
         copyi += lanes;
     }
+}
+
+
+void Foam::fsi::admmSolver::solve
+(
+    const scalar dt,
+    const state& s,
+    Eigen::MatrixXd& v
+)
+{
+    solve(dt, s, labelRange(0, s.positions.cols()/2), v);
 }
 
 

@@ -143,24 +143,44 @@ void Foam::fsi::bodyGroup::predict
     }
     else if (free())
     {
-        const bool viscous = shape_.viscosity() > 0;
-        Eigen::MatrixXd total;
-        if (viscous)
-        {
-            total = force;
-            elementViscosity::addForce(shape_, positions_, velocities_, total);
-        }
-        solver_.solve
-        (
-            dt,
-            {positions_, velocities_, viscous ? total : force, springStates_},
-            v
-        );
+        predict(dt, force, labelRange(0, size()), v);
     }
     else
     {
         prescribe(time, dt, v);
     }
+}
+
+
+void Foam::fsi::bodyGroup::predict
+(
+    const scalar dt,
+    const Eigen::MatrixXd& force,
+    const labelRange& copies,
+    Eigen::MatrixXd& v
+) const
+{
+    const bool viscous = shape_.viscosity() > 0;
+    Eigen::MatrixXd total;
+    if (viscous)
+    {
+        total = force;
+        elementViscosity::addForce
+        (
+            shape_,
+            positions_,
+            velocities_,
+            copies,
+            total
+        );
+    }
+    solver_.solve
+    (
+        dt,
+        {positions_, velocities_, viscous ? total : force, springStates_},
+        copies,
+        v
+    );
 }
 
 

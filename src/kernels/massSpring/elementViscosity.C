@@ -59,11 +59,13 @@ void Foam::fsi::elementViscosity::addForce
     const shapeTemplate& shape,
     const Eigen::MatrixXd& positions,
     const Eigen::MatrixXd& velocities,
+    const labelRange& copies,
     Eigen::MatrixXd& force
 )
 {
-    for (label column = 0; column < positions.cols(); column += 2)
+    for (const label copyi : copies)
     {
+        const label column = 2*copyi;
         addForceOfCopy
         (
             shape,

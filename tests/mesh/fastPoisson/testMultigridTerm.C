@@ -110,17 +110,52 @@ public:
     }
 };
 
+
+//- Slabs of a lattice of 32 cells along x, with a step of a cell each
+label steppedSlabs(const labelVector& c)
+{
+    const label width = 32/Pstream::nProcs();
+    const label place = c.y() < 7 ? c.x() - 1 : c.x();
+    return min(max(place, 0)/width, Pstream::nProcs() - 1);
+}
+
 } // End namespace
+
+
+TEST(cartesianLattice, takesSteppedBoxes)
+{
+    if (Pstream::parRun())
+    {
+        latticeOptions options(box(32, 32));
+        options.rank = steppedSlabs;
+        latticeMesh mesh(options);
+        const cartesianLattice lattice(mesh.mesh());
+
+        // A cut may leave the step on either side of it
+        EXPECT_FALSE(lattice.transfer().local());
+        EXPECT_LE(lattice.transfer().nElsewhere(), 25);
+        const label me = Pstream::myProcNo();
+        const label width = 32/Pstream::nProcs();
+        EXPECT_NEAR(lattice.layout().n().x(), width, 1);
+        EXPECT_NEAR(lattice.layout().start().x(), me*width, 1);
+        EXPECT_EQ(lattice.layout().n().y(), 32);
+    }
+}
 
 
 TEST(cartesianMultigrid, solvesWithATerm)
 {
     latticeOptions options(box(32, 32));
 
-    // Ranks' boxes, and cells scattered over the ranks
-    for (const bool scattered : {false, true})
+    // Ranks' boxes, such with steps in their sides, and cells scattered over
+    // the ranks
+    for (const label kind : {0, 1, 2})
     {
-        if (scattered)
+        if (kind == 1)
+        {
+            options.rank = steppedSlabs;
+        }
+        if (kind == 2)
         {
             options.shuffled = true;
             options.rank = [](const labelVector& c)

@@ -111,4 +111,11 @@ void someObjects::deform(population& objects)
 }
 
 
+bool someObjects::same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
+{
+    return a.rows() == b.rows() && a.cols() == b.cols()
+        && std::memcmp(a.data(), b.data(), a.size()*sizeof(double)) == 0;
+}
+
+
 // ************************************************************************* //

@@ -25,20 +25,12 @@ labelList ids(const population& objects)
 }
 
 
-//- True if two matrices agree in every bit
-bool same(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b)
-{
-    return a.rows() == b.rows() && a.cols() == b.cols()
-        && std::memcmp(a.data(), b.data(), a.size()*sizeof(double)) == 0;
-}
-
-
 //- Expect the state and the shape of two groups to be bitwise the same
 void expectSame(const bodyGroup& a, const bodyGroup& b)
 {
     EXPECT_EQ(a.objectIds(), b.objectIds());
-    EXPECT_TRUE(same(a.positions(), b.positions()));
-    EXPECT_TRUE(same(a.velocities(), b.velocities()));
+    EXPECT_TRUE(someObjects::same(a.positions(), b.positions()));
+    EXPECT_TRUE(someObjects::same(a.velocities(), b.velocities()));
     EXPECT_EQ(a.shape().points(), b.shape().points());
     EXPECT_EQ(a.shape().springConstants(), b.shape().springConstants());
     EXPECT_EQ(a.shape().restLengths(), b.shape().restLengths());
@@ -48,12 +40,12 @@ void expectSame(const bodyGroup& a, const bodyGroup& b)
     Eigen::MatrixXd fa, fb;
     a.internalForce(fa);
     b.internalForce(fb);
-    EXPECT_TRUE(same(fa, fb));
+    EXPECT_TRUE(someObjects::same(fa, fb));
     fa.setConstant(0.1);
     Eigen::MatrixXd va, vb;
     a.predict(0, 0.02, fa, va);
     b.predict(0, 0.02, fa, vb);
-    EXPECT_TRUE(same(va, vb));
+    EXPECT_TRUE(someObjects::same(va, vb));
 }
 
 

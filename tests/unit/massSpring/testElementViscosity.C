@@ -85,6 +85,10 @@ TEST(elementViscosity, convergesWithTheFirstOrderOfTheTimeStep)
 }
 
 
+//- The copy of which the groups consist
+static const labelRange onlyCopy(0, 1);
+
+
 TEST(elementViscosity, dissipatesTwoEtaESquaredInTheStretchedBody)
 {
     auto shape = disc(material, "", 0.02);
@@ -96,7 +100,7 @@ TEST(elementViscosity, dissipatesTwoEtaESquaredInTheStretchedBody)
     v.col(0) = x.col(0) + 3*x.col(1);
     v.col(1) = -x.col(0) - x.col(1);
     Eigen::MatrixXd force = 0*x;
-    elementViscosity::addForce(*shape, x, v, force);
+    elementViscosity::addForce(*shape, x, v, onlyCopy, force);
 
     const scalar expected =
         8*viscosity*shape->referenceVolume()*shape->thickness();
@@ -111,7 +115,7 @@ TEST(elementViscosity, hasNoForceAndTorqueAndDoesNotFeelRotations)
     const Eigen::MatrixXd& x = group->positions();
     Eigen::MatrixXd v = unevenForce(*group, 1);
     Eigen::MatrixXd force = 0*x;
-    elementViscosity::addForce(*shape, x, v, force);
+    elementViscosity::addForce(*shape, x, v, onlyCopy, force);
     const scalar size = force.norm();
     EXPECT_GT(size, 0);
     EXPECT_LT(force.colwise().sum().norm(), 1e-12*size);
@@ -124,7 +128,7 @@ TEST(elementViscosity, hasNoForceAndTorqueAndDoesNotFeelRotations)
     v.col(0) = 0.3 - 2*x.col(1).array();
     v.col(1) = 2*x.col(0);
     force.setZero();
-    elementViscosity::addForce(*shape, x, v, force);
+    elementViscosity::addForce(*shape, x, v, onlyCopy, force);
     EXPECT_LT(force.norm(), 1e-11*viscosity*shape->thickness());
 }
 
