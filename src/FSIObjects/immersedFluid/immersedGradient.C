@@ -167,10 +167,14 @@ void Foam::fsi::immersedFluid::divideByWeights
     }
     forAll(gradient, celli)
     {
+        if (!cut[celli])
+        {
+            gradient[celli] *= 0.5;
+            continue;
+        }
         for (direction d = 0; d < grid.nDims(); ++d)
         {
-            gradient[celli][d] /=
-                cut[celli] ? max(weight[celli][d], SMALL) : 2;
+            gradient[celli][d] /= max(weight[celli][d], SMALL);
         }
     }
 }
