@@ -5,7 +5,7 @@ Ogg Theora by VTK, which browsers and VLC play."""
 import os
 import sys
 
-from PIL import Image
+from strip import as_pillow
 from vtkmodules import vtkIOOggTheora
 
 
@@ -19,12 +19,7 @@ class Gif:
         return self
 
     def add(self, image):
-        width, height, _ = image.GetDimensions()
-        data = bytes(memoryview(image.GetPointData().GetScalars()))
-        frame = Image.frombytes("RGB", (width, height), data)
-        # VTK begins at the bottom
-        self.frames.append(
-            frame.transpose(Image.Transpose.FLIP_TOP_BOTTOM).quantize())
+        self.frames.append(as_pillow(image).quantize())
 
     def __exit__(self, failure, *_):
         if self.frames and not failure:

@@ -52,11 +52,18 @@ def check_pictures(report, case):
     report.check("a picture of each time",
                  status == 0 and len(sizes) == TIMES
                  and all(min(size) > 0.9*SIZE for size in sizes), text)
-    strip = os.path.join(case, "strip.png")
-    render(case, "-strip", strip)
-    width = png_size(contents(strip))[0]
+    path = os.path.join(case, "strip.png")
+    render(case, "-strip", path)
+    width = png_size(contents(path))[0]
     report.check("a strip is as wide as its pictures",
                  width >= TIMES*0.9*SIZE, width)
+    sizes = []
+    for times in (1, 9):
+        render(case, "-strip", path, "-times", ",".join([str(END)]*times))
+        sizes.append(png_size(contents(path)))
+    report.check("nine pictures stand in three rows",
+                 sizes[0][0] > 0 and sizes[1] == tuple(3*n for n in sizes[0]),
+                 sizes)
 
 
 def check_animations(report, case):
