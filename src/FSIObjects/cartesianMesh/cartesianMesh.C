@@ -124,7 +124,7 @@ void Foam::fsi::cartesianMesh::setFaceCorners()
     const vectorField& faceAreas = mesh_.faceAreas();
     const labelList& owner = mesh_.faceOwner();
     const cartesianBlock block(corners());
-    const scalar area = pow(spacing_, nDims_ - 1)*thickness_;
+    const scalar area = faceArea();
 
     faceCorners_.setSize(mesh_.nFaces(), FixedList<label, 4>(-1));
     forAll(faceCorners_, facei)

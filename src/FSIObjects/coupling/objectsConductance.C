@@ -60,8 +60,7 @@ void Foam::fsi::objectsConductance::setInterior
 {
     const cartesianMesh& grid = system_.grid;
     const scalar face =
-        system_.deltaT()*pow(grid.spacing(), grid.nDims() - 2)
-       *grid.thickness();
+        system_.deltaT()*grid.faceArea()/grid.spacing();
     const scalarField factor(interiorFactor());
     grid.forFaces([&](const label facei)
     {

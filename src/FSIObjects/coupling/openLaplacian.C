@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "openLaplacian.H"
-#include "volFields.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -37,27 +36,13 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::openLaplacian
     }
     forAll(p.boundaryField(), patchi)
     {
-        const fvPatchScalarField& pp = p.boundaryField()[patchi];
-        const scalarField g
+        const scalarField& area = p.boundaryField()[patchi].patch().magSf();
+        addPatchDiffusion
         (
-            rAU*open.boundaryField()[patchi]*pp.patch().magSf()
+            patchi,
+            rAU*open.boundaryField()[patchi]*area,
+            equation
         );
-        const scalarField& perLength = pp.patch().deltaCoeffs();
-        const bool coupled = pp.coupled();
-        equation.internalCoeffs()[patchi] =
-            -g
-           *(
-                coupled
-              ? pp.gradientInternalCoeffs(perLength)
-              : pp.gradientInternalCoeffs()
-            );
-        equation.boundaryCoeffs()[patchi] =
-            g
-           *(
-                coupled
-              ? pp.gradientBoundaryCoeffs(perLength)
-              : pp.gradientBoundaryCoeffs()
-            );
     }
     return tequation;
 }

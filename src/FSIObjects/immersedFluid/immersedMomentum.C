@@ -2,6 +2,7 @@
 
 #include "immersedFluid.H"
 #include "fvmDiv.H"
+#include "openLaplacian.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -122,21 +123,14 @@ void Foam::fsi::immersedFluid::addDiffusion
     }
     forAll(mesh.boundary(), patchi)
     {
-        const fvPatchVectorField& pU = equation.psi().boundaryField()[patchi];
-        const scalarField g
+        const fvPatch& patch = mesh.boundary()[patchi];
+        addPatchDiffusion
         (
-            viscosity*fluidFace.boundaryField()[patchi]
-           *pU.patch().magSf()
+            patchi,
+            viscosity*fluidFace.boundaryField()[patchi]*patch.magSf(),
+            equation
         );
-        const scalarField& perLength = pU.patch().deltaCoeffs();
-        const bool coupled = pU.coupled();
-        equation.internalCoeffs()[patchi] -=
-            g*(coupled ? pU.gradientInternalCoeffs(perLength)
-                       : pU.gradientInternalCoeffs());
-        equation.boundaryCoeffs()[patchi] +=
-            g*(coupled ? pU.gradientBoundaryCoeffs(perLength)
-                       : pU.gradientBoundaryCoeffs());
-        const labelUList& cells = pU.patch().faceCells();
+        const labelUList& cells = patch.faceCells();
         forAll(cells, i)
         {
             diagonal[cells[i]] -= flux.boundaryField()[patchi][i];

@@ -111,7 +111,6 @@ void Foam::fsi::interfaceGeometry::addWallLink
 )
 {
     const scalar h = grid_.spacing();
-    const scalar area = pow(h, grid_.nDims() - 1)*grid_.thickness();
     const scalarField& distance = levelSet.cellDistance();
     const labelList& nearestFace = levelSet.nearestFace();
     const label here = haloIndex_[celli];
@@ -123,7 +122,7 @@ void Foam::fsi::interfaceGeometry::addWallLink
     link.dir = dir;
     link.wallDistance =
         wall_.wallDistance(distance[here], min(distance[there], 0.0));
-    link.conductance = area/(link.wallDistance*h);
+    link.conductance = grid_.faceArea()/(link.wallDistance*h);
 
     point wallPoint(grid_.mesh().C()[celli]);
     wallPoint[dir] += sign*min(link.wallDistance, 1.0)*h;
