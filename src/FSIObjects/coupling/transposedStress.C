@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viscousCoupling.H"
+#include "transposedStress.H"
+#include "sumOverRanks.H"
 
 #include <Eigen/Dense>
 
@@ -13,118 +14,74 @@ namespace fsi
 
 typedef Eigen::Matrix2d tensor2D;
 
-static Eigen::Vector2d inPlane(const vector& v)
+//- First and last of an object's surface nodes
+static labelRange nodesOf(const surfaceSet& surfaces, const label objecti)
 {
-    return {v.x(), v.y()};
+    const label start = surfaces.pointStart()[objecti];
+    return labelRange(start, surfaces.pointStart()[objecti + 1] - start);
 }
 
 
-//- Surface nodes' vectors t of all objects, see transposedModes
-static vectorField rotationModes(const fsiSystem& system)
-{
-    const surfaceSet& surfaces = system.objects.surfaces();
-    const pointField& x = surfaces.points();
-    const scalar viscosity =
-        system.fluidDensity*system.viscosity*system.grid.thickness();
-
-    vectorField modes(x.size());
-    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
-    {
-        const label start = surfaces.pointStart()[objecti];
-        const label n = surfaces.pointStart()[objecti + 1] - start;
-        const SubList<point> points(x, n, start);
-        const vector centre(sum(points)/n);
-        scalar second = 0;
-        for (const point& p : points)
-        {
-            second += sqr(p.x() - centre.x()) + sqr(p.y() - centre.y());
-        }
-        // A rotation omega has the torque -2 rho nu V omega
-        const scalar scale =
-            Foam::sqrt(2*viscosity*surfaces.volume(objecti))/second;
-        for (label i = start; i < start + n; ++i)
-        {
-            modes[i] =
-                scale*vector(centre.y() - x[i].y(), x[i].x() - centre.x(), 0);
-        }
-    }
-    return modes;
-}
-
-
-//- Add the force of the rotation nearest to v
-static void addRotationForce
+//- Wall faces of the surface nodes, each face taken apart by its weights
+static scalarField facesOfNodes
 (
-    const fsiSystem& system,
-    const vectorField& v,
-    vectorField& force
+    const interfaceGeometry& geometry,
+    const label nNodes
 )
 {
-    const vectorField modes(rotationModes(system));
-    const labelList& start = system.objects.surfaces().pointStart();
-    for (label objecti = 0; objecti + 1 < start.size(); ++objecti)
+    scalarField faces(nNodes, Zero);
+    for (const wallLink& link : geometry.wallLinks())
     {
-        scalar amount = 0;
-        for (label i = start[objecti]; i < start[objecti + 1]; ++i)
+        forAll(link.place.nodes, i)
         {
-            amount += modes[i] & v[i];
-        }
-        for (label i = start[objecti]; i < start[objecti + 1]; ++i)
-        {
-            force[i] -= amount*modes[i];
+            if (link.place.nodes[i] >= 0)
+            {
+                faces[link.place.nodes[i]] += link.place.weights[i];
+            }
         }
     }
+    sumOverRanks(faces);
+    return faces;
 }
 
 
-//- Add the force of the linear field nearest to v on one object, whose nodes
-//  and faces are those from start to end in the surfaces' lists
-static void addLinearForce
+//- Vectors q of an object's nodes: the sums of v over q are the gradient of the
+//  linear field (or the rotation) nearest to v, each node weighted by its faces
+static std::vector<Eigen::Vector2d> gradientVectors
 (
-    const vectorField& x,
-    const vectorField& v,
-    const SubList<surfaceFace>& faces,
-    const labelPair& nodes,
-    const scalar viscosity,
-    vectorField& force
+    const SubField<point>& x,
+    const SubField<scalar>& weights,
+    const scalar area,
+    const bool linear
 )
 {
-    const label n = nodes.second() - nodes.first();
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    for (label i = nodes.first(); i < nodes.second(); ++i)
+    std::vector<Eigen::Vector2d> q(x.size(), Eigen::Vector2d::Zero());
+    const point centre(sum(x*weights)/max(sum(weights), VSMALL));
+    tensor2D moment(tensor2D::Zero());
+    forAll(x, i)
     {
-        centre += inPlane(x[i])/n;
+        q[i] = Eigen::Vector2d(x[i].x() - centre.x(), x[i].y() - centre.y());
+        moment += weights[i]*q[i]*q[i].transpose();
     }
 
-    tensor2D second = tensor2D::Zero();
-    tensor2D moment = tensor2D::Zero();
-    for (label i = nodes.first(); i < nodes.second(); ++i)
+    tensor2D inverse(tensor2D::Zero());
+    const scalar trace = moment.trace();
+    const scalar determinant = moment.determinant();
+    if (linear && determinant > 1e-6*sqr(trace))
     {
-        const Eigen::Vector2d arm(inPlane(x[i]) - centre);
-        second += arm*arm.transpose();
-        moment += inPlane(v[i])*arm.transpose();
+        // Half of what the links resist at most
+        inverse =
+            Foam::sqrt(min(1.0, determinant/(area*trace)))*moment.inverse();
     }
-    const tensor2D inverse(second.inverse());
-    const tensor2D gradient(moment*inverse);
-
-    // First moment of its forces, as a linear field of nodal forces
-    tensor2D turn;
-    turn << 0, -1, 1, 0;
-    tensor2D forces = tensor2D::Zero();
-    for (const surfaceFace& face : faces)
+    else if (!linear && trace > 0)
     {
-        const Eigen::Vector2d a(inPlane(x[face[0]]) - centre);
-        const Eigen::Vector2d b(inPlane(x[face[1]]) - centre);
-        forces +=
-            viscosity*turn*gradient*(b - a)*(0.5*(a + b)).transpose();
+        inverse = (2/trace)*tensor2D::Identity();
     }
-    const tensor2D field(forces*inverse);
-    for (label i = nodes.first(); i < nodes.second(); ++i)
+    forAll(x, i)
     {
-        const Eigen::Vector2d f(field*(inPlane(x[i]) - centre));
-        force[i].x() += f.x();
-        force[i].y() += f.y();
+        q[i] = (weights[i]*inverse*q[i]).eval();
     }
+    return q;
 }
 
 } // End namespace fsi
@@ -133,66 +90,89 @@ static void addLinearForce
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::transposedModes
+std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
 (
-    const fsiSystem& system,
-    fsiSystem::groupNodal& t
+    const surfaceSet& surfaces,
+    const interfaceGeometry& geometry,
+    const scalar viscosity,
+    const bool linear
 )
 {
-    if (system.transposedStress == fsiSystem::transposedPart::rotation)
+    const pointField& x = surfaces.points();
+    const scalarField weights(facesOfNodes(geometry, x.size()));
+    const vectorField none(x.size(), Zero);
+    std::vector<transposedMode> modes(1, transposedMode{1, none});
+    modes.resize(linear ? 3 : 1, transposedMode{-1, none});
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        system.toBoundary(rotationModes(system), t);
+        const labelRange nodes(nodesOf(surfaces, objecti));
+        const scalar area = surfaces.volume(objecti);
+        const std::vector<Eigen::Vector2d> gradient
+        (
+            gradientVectors
+            (
+                SubField<point>(x, nodes),
+                SubField<scalar>(weights, nodes),
+                area,
+                linear
+            )
+        );
+        for (label i = 0; i < nodes.size(); ++i)
+        {
+            const Eigen::Vector2d q
+            (
+                Foam::sqrt(0.5*viscosity*area)*gradient[i]
+            );
+            modes[0].vectors[nodes[i]] = vector(-q.y(), q.x(), 0);
+            if (linear)
+            {
+                modes[1].vectors[nodes[i]] = vector(q.x(), -q.y(), 0);
+                modes[2].vectors[nodes[i]] = vector(q.y(), q.x(), 0);
+            }
+        }
     }
-    else
-    {
-        const label nNodes = system.objects.surfaces().points().size();
-        system.toBoundary(vectorField(nNodes, Zero), t);
-    }
+    return modes;
+}
+
+
+std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
+(
+    const fsiSystem& system
+)
+{
+    return transposedModes
+    (
+        system.objects.surfaces(),
+        system.geometry,
+        system.fluidDensity*system.viscosity*system.grid.thickness(),
+        system.transposedStress == fsiSystem::transposedPart::linear
+    );
 }
 
 
 void Foam::fsi::addTransposedForce
 (
-    const fsiSystem& system,
+    const std::vector<transposedMode>& modes,
+    const labelList& pointStart,
     const vectorField& v,
     vectorField& force
 )
 {
-    if (system.transposedStress == fsiSystem::transposedPart::rotation)
+    for (const transposedMode& mode : modes)
     {
-        addRotationForce(system, v, force);
-        return;
-    }
-    const surfaceSet& surfaces = system.objects.surfaces();
-    const scalar viscosity =
-        system.fluidDensity*system.viscosity*system.grid.thickness();
-
-    // Faces stand in the order of their objects
-    label face = 0;
-    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
-    {
-        const label first = face;
-        while
-        (
-            face < surfaces.faces().size()
-         && surfaces.faceObject()[face] == objecti
-        )
+        for (label objecti = 0; objecti + 1 < pointStart.size(); ++objecti)
         {
-            ++face;
+            const label end = pointStart[objecti + 1];
+            scalar amount = 0;
+            for (label i = pointStart[objecti]; i < end; ++i)
+            {
+                amount += mode.sign*(mode.vectors[i] & v[i]);
+            }
+            for (label i = pointStart[objecti]; i < end; ++i)
+            {
+                force[i] -= amount*mode.vectors[i];
+            }
         }
-        addLinearForce
-        (
-            surfaces.points(),
-            v,
-            SubList<surfaceFace>(surfaces.faces(), face - first, first),
-            labelPair
-            (
-                surfaces.pointStart()[objecti],
-                surfaces.pointStart()[objecti + 1]
-            ),
-            viscosity,
-            force
-        );
     }
 }
 

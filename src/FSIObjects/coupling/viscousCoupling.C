@@ -74,6 +74,26 @@ Foam::fsi::viscousCoupling::viscousCoupling(const fsiSystem& system)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+std::vector<Foam::fsi::viscousResponse::groupModes>
+Foam::fsi::viscousCoupling::groupModes() const
+{
+    std::vector<viscousResponse::groupModes> groups
+    (
+        system_.objects.groups().size()
+    );
+    fsiSystem::groupNodal vectors;
+    for (const transposedMode& mode : transposed_)
+    {
+        system_.toBoundary(mode.vectors, vectors);
+        forAll(vectors, groupi)
+        {
+            groups[groupi].push_back({mode.sign, vectors[groupi]});
+        }
+    }
+    return groups;
+}
+
+
 void Foam::fsi::viscousCoupling::updateResponses
 (
     const fsiSystem::groupNodal& predicted
@@ -105,8 +125,8 @@ void Foam::fsi::viscousCoupling::updateResponses
     gatherLinks(copyLinks_);
     addShortWaves(system_, copyLinks_);
 
-    fsiSystem::groupNodal turning;
-    transposedModes(system_, turning);
+    transposed_ = transposedModes(system_);
+    const std::vector<viscousResponse::groupModes> modes(groupModes());
     responses_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
     {
@@ -123,7 +143,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         (
             system_.deltaT(),
             copyLinks_.data() + objects.objectIndex(groupi, 0),
-            turning[groupi],
+            modes[groupi],
             predicted[groupi]
         );
     }
@@ -136,10 +156,6 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
     nodal_ = Zero;
     links_.addForce(system_.fluidDensity, nodal_);
     sumOverRanks(nodal_);
-    if (system_.transposedStress == fsiSystem::transposedPart::linear)
-    {
-        addTransposedForce(system_, nodalVelocity_, nodal_);
-    }
     system_.toBoundary(nodal_, groupForce_);
     forAll(v, groupi)
     {

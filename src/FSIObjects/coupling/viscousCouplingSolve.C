@@ -44,7 +44,13 @@ void Foam::fsi::viscousCoupling::finish
     addLinkForce(system_, U, nodalVelocity_, force);
     sumOverRanks(force);
     addShortWaveForce(system_, nodalVelocity_, force);
-    addTransposedForce(system_, nodalVelocity_, force);
+    addTransposedForce
+    (
+        transposed_,
+        system_.objects.surfaces().pointStart(),
+        nodalVelocity_,
+        force
+    );
 
     velocity = predicted;
     system_.objects.toGroups(force, groupForce_);

@@ -35,8 +35,8 @@ Foam::fsi::viscousResponse::modeVector Foam::fsi::viscousResponse::project
 {
     const label nDims = group_.shape().nDims();
     const auto columns = x.middleCols(nDims*copyi, nDims);
-    modeVector amount;
-    for (label mode = 0; mode < nModes; ++mode)
+    modeVector amount(modes_.size());
+    for (label mode = 0; mode < amount.size(); ++mode)
     {
         amount[mode] = modes_[mode].middleCols(nDims*copyi, nDims)
            .cwiseProduct(columns).sum();
@@ -49,14 +49,14 @@ Foam::fsi::viscousResponse::modeVector Foam::fsi::viscousResponse::project
 
 void Foam::fsi::viscousResponse::addModes
 (
-    const Eigen::MatrixXd (&modes)[nModes],
+    const std::vector<Eigen::MatrixXd>& modes,
     const modeVector& amount,
     const label copyi,
     Eigen::MatrixXd& x
 ) const
 {
     const label nDims = group_.shape().nDims();
-    for (label mode = 0; mode < nModes; ++mode)
+    for (label mode = 0; mode < amount.size(); ++mode)
     {
         x.middleCols(nDims*copyi, nDims) +=
             amount[mode]*modes[mode].middleCols(nDims*copyi, nDims);
@@ -64,8 +64,10 @@ void Foam::fsi::viscousResponse::addModes
 }
 
 
-void Foam::fsi::viscousResponse::makeWoodbury()
+void Foam::fsi::viscousResponse::makeWoodbury(const groupModes& transposed)
 {
+    const label nModes(modes_.size());
+    solved_.resize(nModes);
     for (label mode = 0; mode < nModes; ++mode)
     {
         solveMatrices(modes_[mode], solved_[mode]);
@@ -73,8 +75,12 @@ void Foam::fsi::viscousResponse::makeWoodbury()
     woodbury_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        modeMatrix inverse(modeMatrix::Identity());
+        modeMatrix inverse(modeMatrix::Zero(nModes, nModes));
         inverse.topLeftCorner<2, 2>() = deltaT_*added_[copyi].inverse();
+        for (label mode = 2; mode < nModes; ++mode)
+        {
+            inverse(mode, mode) = transposed[mode - 2].sign;
+        }
         for (label mode = 0; mode < nModes; ++mode)
         {
             inverse.col(mode) += project(solved_[mode], copyi);
@@ -90,7 +96,7 @@ void Foam::fsi::viscousResponse::makeSource()
     source_ = multiply(start);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        modeVector amount(modeVector::Zero());
+        modeVector amount(modeVector::Zero(modes_.size()));
         amount.head<2>() = added_[copyi]*project(start, copyi).head<2>();
         addModes(modes_, amount, copyi, source_);
     }
@@ -104,16 +110,21 @@ void Foam::fsi::viscousResponse::update
 (
     const scalar dt,
     const std::vector<copyLink>* links,
-    const Eigen::MatrixXd& turning,
+    const groupModes& transposed,
     const Eigen::MatrixXd& predicted
 )
 {
     deltaT_ = dt;
     start_ = predicted;
-    modes_[2].setZero(nRows(), turning.cols());
-    modes_[2].topRows(turning.rows()) = turning;
+    modes_.resize(2 + transposed.size());
+    for (label mode = 2; mode < label(modes_.size()); ++mode)
+    {
+        const Eigen::MatrixXd& t = transposed[mode - 2].vectors;
+        modes_[mode].setZero(nRows(), t.cols());
+        modes_[mode].topRows(t.rows()) = t;
+    }
     makeMatrices(links);
-    makeWoodbury();
+    makeWoodbury(transposed);
     makeSource();
 }
 

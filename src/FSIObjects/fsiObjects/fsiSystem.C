@@ -32,7 +32,7 @@ Foam::fsi::fsiSystem::fsiSystem
         ({
             {transposedPart::rotation, "rotation"},
             {transposedPart::linear, "linear"}
-        }).getOrDefault("transposedStress", dict, transposedPart::rotation)
+        }).getOrDefault("transposedStress", dict, transposedPart::linear)
     ),
     shortWaveStress(readNonNegative(dict, "shortWaveStress", 1)),
     gravity(dict.lookupOrDefault<vector>("gravity", Zero)),

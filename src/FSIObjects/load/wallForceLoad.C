@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallForceLoad.H"
+#include "transposedStress.H"
 #include "viscousCoupling.H"
 #include "sumOverRanks.H"
 #include "addToRunTimeSelectionTable.H"
@@ -39,7 +40,13 @@ void Foam::fsi::wallForceLoad::calculate
     force = Zero;
     addLinkForce(system_, U, wallVelocity, force);
     sumOverRanks(force);
-    addTransposedForce(system_, wallVelocity, force);
+    addTransposedForce
+    (
+        transposedModes(system_),
+        system_.objects.surfaces().pointStart(),
+        wallVelocity,
+        force
+    );
 
     vectorField pressureForce;
     system_.walls.transpose(p.primitiveField(), pressureForce);
