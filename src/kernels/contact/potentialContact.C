@@ -124,6 +124,15 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
 
     scalar push = 1;
     scalar end = endGap(pair, coast, factor, drag);
+    const scalar hold = pair.dt*pair.film.largestPull();
+    if (pair.resistance*(pair.film.psi(end) - pair.film.psi(gap)) > hold)
+    {
+        const scalar given = pair.dt*pair.compliance*pair.area*hold;
+        end = endGap(pair, coast - given, factor, 0);
+        scalar slope;
+        const scalar mean = meanRepulsion(gap, end, slope);
+        return pair.area*(pair.dt*(mean - pull) - hold);
+    }
     if (end < gap && approachFactor_ > 1)
     {
         push = approachFactor_;

@@ -25,32 +25,33 @@ contact film(const std::string& entries)
 }
 
 
-//- Two equal discs of radius 1 with a gap, each at this speed towards the other
+//- Two equal discs of radius 1 with a gap, each at this speed towards the
+//  other; or ellipses with these semi-axes across
 rigidDiscs approaching
 (
     const scalar gap,
     const scalar speed,
     const scalar mass,
-    const label n = 180
+    const label n = 180,
+    const scalar across = 1
 )
 {
+    pointField nodes(circleNodes(1, n));
+    for (point& x : nodes)
+    {
+        x.y() *= across;
+    }
     rigidDiscs world;
-    world.add
-    (
-        circleNodes(1, n), {-1 - gap/2, 0, 0}, {speed, 0, 0}, 0, mass
-    );
-    world.add
-    (
-        circleNodes(1, n), {1 + gap/2, 0, 0}, {-speed, 0, 0}, 0, mass
-    );
+    world.add(nodes, {-1 - gap/2, 0, 0}, {speed, 0, 0}, 0, mass);
+    world.add(nodes, {1 + gap/2, 0, 0}, {-speed, 0, 0}, 0, mass);
     return world;
 }
 
 
 //- Resistance of the film over 6 mu R V, by quadrature of Reynolds' pressure
-scalar filmIntegral(const scalar gap, const scalar cutOff)
+scalar filmIntegral(const scalar gap, const scalar cutOff, const scalar R)
 {
-    const scalar R = 0.5, dx = 1e-5;
+    const scalar dx = 1e-5;
     scalar sum = 0;
     for (scalar x = 0.5*dx; gap + sqr(x)/(2*R) < cutOff; x += dx)
     {
@@ -76,9 +77,42 @@ TEST(Lubrication, isThatOfReynoldsEquation)
         rigidDiscs world(approaching(gap, 0.1, 1e8, 720));
         contact law(film("cutOff 0.25;"));
         world.advance(law, 1e-5);
-        const scalar expected = 6*viscosity*0.5*0.2*filmIntegral(gap, 0.05);
+        const scalar expected =
+            6*viscosity*0.5*0.2*filmIntegral(gap, 0.05, 0.5);
         EXPECT_NEAR(-forceOn(world, 0).x()/expected, 1, 0.03) << gap;
     }
+}
+
+
+TEST(Lubrication, takesTheCurvatureOfThePlace)
+{
+    const scalar gap = 0.01;
+    for (const scalar across : {0.5, 0.8})
+    {
+        // The tips of the ellipses have the radius across^2
+        const scalar R = 0.5*sqr(across);
+        rigidDiscs world(approaching(gap, 0.1, 1e8, 1440, across));
+        contact law(film("cutOff 0.25;"));
+        world.advance(law, 1e-5);
+        const scalar expected = 6*viscosity*R*0.2*filmIntegral(gap, 0.05, R);
+        EXPECT_NEAR(-forceOn(world, 0).x()/expected, 1, 0.03) << across;
+    }
+}
+
+
+TEST(Lubrication, filmsOfFlatPlacesAreAsLongAsTheirBodies)
+{
+    // The circle with the ellipse's perimeter
+    const scalar gap = 0.01, across = 2, perimeter = 9.68845;
+    const scalar R = 0.25*perimeter/constant::mathematical::pi;
+    rigidDiscs world(approaching(gap, 0.1, 1e8, 1440, across));
+    contact law(film("cutOff 0.25;"));
+    world.advance(law, 1e-5);
+
+    // Over surfaces with the ellipses' gaps
+    const scalar expected =
+        6*viscosity*R*0.2*filmIntegral(gap, 0.05, 0.5*sqr(across));
+    EXPECT_NEAR(-forceOn(world, 0).x()/expected, 1, 0.03);
 }
 
 
@@ -92,6 +126,37 @@ TEST(Lubrication, tendsToTheFormulaOfTheCylinder)
         3*Foam::sqrt(2.0)*constant::mathematical::pi*viscosity*speed
        *Foam::pow(0.5/gap, 1.5);
     EXPECT_NEAR(-forceOn(world, 0).x()/expected, 1, 0.03);
+}
+
+
+TEST(Lubrication, pullsByNoMoreThanTheBodiesBear)
+{
+    const scalar gap = 0.01, modulus = 50;
+    const auto force = [&](const scalar speed, const std::string& pull)
+    {
+        rigidDiscs world(approaching(gap, speed, 1e8, 720));
+        contact law(film("cutOff 0.25; pull " + pull + ";"));
+        world.advance(law, 1e-5);
+        return std::make_pair(forceOn(world, 0).x(), world);
+    };
+
+    const scalar push = force(0.1, "0.1").first;
+    EXPECT_NEAR(force(-0.1, "1e9").first/push, -1, 1e-3);
+    EXPECT_LT(mag(force(-0.1, "0").first/push), 1e-6);
+
+    const auto held = force(-0.1, "2");
+    EXPECT_GT(held.first, 0.1*mag(push));
+    EXPECT_LT(held.first, 0.9*mag(push));
+    scalar largest = 0;
+    forAll(held.second.force, i)
+    {
+        largest = max
+        (
+            largest,
+            mag(held.second.force[i])/held.second.bodies.areas()[i]
+        );
+    }
+    EXPECT_NEAR(largest/(2*modulus), 1, 0.06);
 }
 
 
@@ -131,7 +196,7 @@ TEST(Lubrication, stopsWhereTheImpulseSaysWhateverTheTimeStep)
     while (impulse < mass/2*2*speed)
     {
         const scalar dg = 1e-3*gap;
-        impulse += 6*viscosity*0.5*dg*filmIntegral(gap, 0.2);
+        impulse += 6*viscosity*0.5*dg*filmIntegral(gap, 0.2, 0.5);
         gap -= dg;
     }
     for (const scalar dt : {0.02, 0.15})
@@ -157,7 +222,7 @@ TEST(Lubrication, wallIsFlat)
 
     // R is 1 instead of 1/2: x of the quadrature grows with sqrt(R)
     const scalar expected =
-        6*viscosity*0.1*Foam::sqrt(2.0)*filmIntegral(0.01, 0.1);
+        6*viscosity*0.1*Foam::sqrt(2.0)*filmIntegral(0.01, 0.1, 0.5);
     EXPECT_NEAR(forceOn(world, 0).y()/expected, 1, 0.03);
 }
 
