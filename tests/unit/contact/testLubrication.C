@@ -240,6 +240,7 @@ TEST(Lubrication, refusesWhatItCannotDo)
     );
     EXPECT_THROW(film("cutOff 1.5;"), Foam::IOerror);
     EXPECT_THROW(film("roughness 1;"), Foam::IOerror);
+    EXPECT_THROW(film("pull -1;"), Foam::IOerror);
     EXPECT_THROW(film("colour 1;"), Foam::IOerror);
     EXPECT_THROW
     (
