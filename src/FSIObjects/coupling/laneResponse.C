@@ -30,8 +30,8 @@ void Foam::fsi::laneResponse::makeModes()
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
         Eigen::Matrix2d E;
-        E.col(0) = project(rotations[0], copyi).head<2>();
-        E.col(1) = project(rotations[1], copyi).head<2>();
+        E.col(0) = project(rotations[0], copyi, 2);
+        E.col(1) = project(rotations[1], copyi, 2);
         E(0, 0) += 1;
         E(1, 1) -= 1;
         added_[copyi] = -E.inverse();

@@ -27,7 +27,7 @@ void Foam::fsi::sparseResponse::makeModes()
     added_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        const scalar stiffness = project(r, copyi)[1];
+        const scalar stiffness = project(r, copyi, 2)[1];
         added_[copyi] << stiffness + 1, -1, -1, 0;
     }
 }

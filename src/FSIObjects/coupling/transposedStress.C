@@ -14,14 +14,6 @@ namespace fsi
 
 typedef Eigen::Matrix2d tensor2D;
 
-//- First and last of an object's surface nodes
-static labelRange nodesOf(const surfaceSet& surfaces, const label objecti)
-{
-    const label start = surfaces.pointStart()[objecti];
-    return labelRange(start, surfaces.pointStart()[objecti + 1] - start);
-}
-
-
 //- Wall faces of the surface nodes, each face taken apart by its weights
 static scalarField facesOfNodes
 (
@@ -32,13 +24,7 @@ static scalarField facesOfNodes
     scalarField faces(nNodes, Zero);
     for (const wallLink& link : geometry.wallLinks())
     {
-        forAll(link.place.nodes, i)
-        {
-            if (link.place.nodes[i] >= 0)
-            {
-                faces[link.place.nodes[i]] += link.place.weights[i];
-            }
-        }
+        link.place.spread(faces, 1.0);
     }
     sumOverRanks(faces);
     return faces;
@@ -105,29 +91,28 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
     modes.resize(linear ? 3 : 1, transposedMode{-1, none});
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        const labelRange nodes(nodesOf(surfaces, objecti));
+        const label start = surfaces.pointStart()[objecti];
+        const label n = surfaces.pointStart()[objecti + 1] - start;
         const scalar area = surfaces.volume(objecti);
         const std::vector<Eigen::Vector2d> gradient
         (
             gradientVectors
             (
-                SubField<point>(x, nodes),
-                SubField<scalar>(weights, nodes),
+                SubField<point>(x, n, start),
+                SubField<scalar>(weights, n, start),
                 area,
                 linear
             )
         );
-        for (label i = 0; i < nodes.size(); ++i)
+        const scalar strength = Foam::sqrt(0.5*viscosity*area);
+        for (label i = 0; i < n; ++i)
         {
-            const Eigen::Vector2d q
-            (
-                Foam::sqrt(0.5*viscosity*area)*gradient[i]
-            );
-            modes[0].vectors[nodes[i]] = vector(-q.y(), q.x(), 0);
+            const Eigen::Vector2d q(strength*gradient[i]);
+            modes[0].vectors[start + i] = vector(-q.y(), q.x(), 0);
             if (linear)
             {
-                modes[1].vectors[nodes[i]] = vector(q.x(), -q.y(), 0);
-                modes[2].vectors[nodes[i]] = vector(q.y(), q.x(), 0);
+                modes[1].vectors[start + i] = vector(q.x(), -q.y(), 0);
+                modes[2].vectors[start + i] = vector(q.y(), q.x(), 0);
             }
         }
     }

@@ -30,13 +30,14 @@ Foam::fsi::viscousResponse::New(const bodyGroup& group)
 Foam::fsi::viscousResponse::modeVector Foam::fsi::viscousResponse::project
 (
     const Eigen::MatrixXd& x,
-    const label copyi
+    const label copyi,
+    const label nModes
 ) const
 {
     const label nDims = group_.shape().nDims();
     const auto columns = x.middleCols(nDims*copyi, nDims);
-    modeVector amount(modes_.size());
-    for (label mode = 0; mode < amount.size(); ++mode)
+    modeVector amount(nModes);
+    for (label mode = 0; mode < nModes; ++mode)
     {
         amount[mode] = modes_[mode].middleCols(nDims*copyi, nDims)
            .cwiseProduct(columns).sum();
@@ -83,7 +84,7 @@ void Foam::fsi::viscousResponse::makeWoodbury(const groupModes& transposed)
         }
         for (label mode = 0; mode < nModes; ++mode)
         {
-            inverse.col(mode) += project(solved_[mode], copyi);
+            inverse.col(mode) += project(solved_[mode], copyi, nModes);
         }
         woodbury_[copyi] = inverse.inverse();
     }
@@ -96,8 +97,7 @@ void Foam::fsi::viscousResponse::makeSource()
     source_ = multiply(start);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        modeVector amount(modeVector::Zero(modes_.size()));
-        amount.head<2>() = added_[copyi]*project(start, copyi).head<2>();
+        const modeVector amount(added_[copyi]*project(start, copyi, 2));
         addModes(modes_, amount, copyi, source_);
     }
     source_ /= deltaT_;
@@ -142,7 +142,7 @@ void Foam::fsi::viscousResponse::solve
     {
         const modeVector amount
         (
-            -(woodbury_[copyi]*project(solution_, copyi))
+            -(woodbury_[copyi]*project(solution_, copyi, modes_.size()))
         );
         addModes(solved_, amount, copyi, solution_);
     }

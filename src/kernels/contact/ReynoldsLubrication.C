@@ -51,7 +51,7 @@ Foam::fsi::ReynoldsLubrication::ReynoldsLubrication
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::ReynoldsLubrication::bend(const surfaceSet& surfaces)
+void Foam::fsi::ReynoldsLubrication::setCurvatures(const surfaceSet& surfaces)
 {
     const pointField& x = surfaces.points();
     const List<surfaceFace>& faces = surfaces.faces();
@@ -65,19 +65,19 @@ void Foam::fsi::ReynoldsLubrication::bend(const surfaceSet& surfaces)
     }
 
     // Of the circle through a node and its neighbours
-    scalarField bend(x.size());
-    forAll(bend, i)
+    scalarField curvature(x.size());
+    forAll(curvature, i)
     {
         nodeLengths_[i] = 0.5*(mag(before[i]) + mag(behind[i]));
         const scalar lengths =
             mag(before[i])*mag(behind[i])*mag(before[i] + behind[i]);
-        bend[i] = 2*(before[i] ^ behind[i]).z()/max(lengths, VSMALL);
+        curvature[i] = 2*(before[i] ^ behind[i]).z()/max(lengths, VSMALL);
     }
-    nodeCurvatures_ = 0.5*bend;
+    nodeCurvatures_ = 0.5*curvature;
     for (const surfaceFace& f : faces)
     {
-        nodeCurvatures_[f[0]] += 0.25*bend[f[1]];
-        nodeCurvatures_[f[1]] += 0.25*bend[f[0]];
+        nodeCurvatures_[f[0]] += 0.25*curvature[f[1]];
+        nodeCurvatures_[f[1]] += 0.25*curvature[f[0]];
     }
     forAll(faces, facei)
     {
@@ -108,7 +108,7 @@ void Foam::fsi::ReynoldsLubrication::update(const surfaceSet& surfaces)
     nodeLengths_ = 0;
     if (planar)
     {
-        bend(surfaces);
+        setCurvatures(surfaces);
     }
 }
 

@@ -76,10 +76,6 @@ Foam::scalar Foam::fsi::potentialContact::endGap
 ) const
 {
     const scalar g0 = pair.gap;
-    if (min(g0, coast) >= range_)
-    {
-        return coast;
-    }
     const scalar psi0 = pair.film.psi(g0);
     const scalar least = drag > 0 ? min(g0, coast) : coast;
 
@@ -121,14 +117,21 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
     const scalar pull = gap < range_ ? attraction(gap) : 0;
     const scalar straight = gap + pair.dt*pair.velocity;
     const scalar coast = straight - factor*pull;
+    if (min(gap, coast) >= range_)
+    {
+        return 0;
+    }
 
     scalar push = 1;
     scalar end = endGap(pair, coast, factor, drag);
     const scalar hold = pair.dt*pair.film.largestPull();
-    if (pair.resistance*(pair.film.psi(end) - pair.film.psi(gap)) > hold)
+    if
+    (
+        end > gap
+     && pair.resistance*(pair.film.psi(end) - pair.film.psi(gap)) > hold
+    )
     {
-        const scalar given = pair.dt*pair.compliance*pair.area*hold;
-        end = endGap(pair, coast - given, factor, 0);
+        end = endGap(pair, coast - perPressure*hold, factor, 0);
         scalar slope;
         const scalar mean = meanRepulsion(gap, end, slope);
         return pair.area*(pair.dt*(mean - pull) - hold);
@@ -137,10 +140,6 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
     {
         push = approachFactor_;
         end = min(endGap(pair, coast, push*factor, drag), gap);
-    }
-    if (min(gap, coast) >= range_)
-    {
-        return 0;
     }
 
     // From the law where it is soft, else from the gap it leads to: each is

@@ -72,8 +72,7 @@ scalarField facesOfNodes(const discsInBox& discs)
     scalarField faces(discs.surfaces().points().size(), Zero);
     for (const wallLink& link : discs.geometry().wallLinks())
     {
-        faces[link.place.nodes[0]] += link.place.weights[0];
-        faces[link.place.nodes[1]] += link.place.weights[1];
+        link.place.spread(faces, 1.0);
     }
     sumOverRanks(faces);
     return faces;
