@@ -130,7 +130,7 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
         system.objects.surfaces(),
         system.geometry,
         system.fluidDensity*system.viscosity*system.grid.thickness(),
-        system.transposedStress == fsiSystem::transposedPart::linear
+        system.transposedStrain
     );
 }
 

@@ -2,7 +2,6 @@
 
 #include "fsiSystem.H"
 #include "dictionaryCheck.H"
-#include "Enum.H"
 #include "objectContact.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -26,13 +25,12 @@ Foam::fsi::fsiSystem::fsiSystem
     driving(drivingForce::New(mesh, dict)),
     fluidDensity(readPositive(dict, "fluidDensity")),
     viscosity(viscosity),
-    transposedStress
+    transposedStrain
     (
-        Enum<transposedPart>
-        ({
-            {transposedPart::rotation, "rotation"},
-            {transposedPart::linear, "linear"}
-        }).getOrDefault("transposedStress", dict, transposedPart::linear)
+        readChoice
+        (
+            dict, "transposedStress", "linear", {"rotation", "linear"}
+        ) == "linear"
     ),
     shortWaveStress(readNonNegative(dict, "shortWaveStress", 1)),
     gravity(dict.lookupOrDefault<vector>("gravity", Zero)),

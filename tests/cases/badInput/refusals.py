@@ -111,6 +111,8 @@ PROPERTIES = [
      ("sideGap", "never fits", "left")),
     ("unknown history of faces", "faceHistory most;",
      ("faceHistory", "most", "limited")),
+    ("unknown part of the transposed stress", "transposedStress linar;",
+     ("transposedStress", "linar", "rotation")),
     ("objects written backwards", "output { objectsEvery -1; }",
      ("objectsEvery", "-1", ">= 0")),
     ("gravity in z", "gravity (0 0 -9.81);", ("gravity", "-9.81", "in z")),
