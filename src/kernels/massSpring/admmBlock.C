@@ -24,6 +24,7 @@ void Foam::fsi::admmSolver::load(const state& s, const label copyi)
                 const label row = rowOf[nodei];
                 const label place = lanes*(2*row + i) + lane;
                 start_[place] = x[nodei];
+                displacement_[place] = x[nodei] - shape_.points()[nodei][i];
                 change_[place] = deltaT_*v[nodei];
                 inertial_[place] =
                     change_[place] + sqr(deltaT_)*f[nodei]/masses_[row];
@@ -194,7 +195,7 @@ void Foam::fsi::admmSolver::solveBlock
 )
 {
     load<lanes>(s, copyi);
-    if (viscousRatio_ > 0)
+    if (!viscousWeights_.empty())
     {
         forAll(lessDrift_, place)
         {

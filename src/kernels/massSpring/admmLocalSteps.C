@@ -10,51 +10,65 @@ namespace Foam
 namespace fsi
 {
 
-//- Change of the edges of an element from E, times B, row by row: the
-//  deformation gradient less the unit matrix
+//- F - 1 of a domain (strainDomains) from displacements, row by row; rows:
+//  those of its nodes in the factor
 template<int lanes>
-static inline void edgeGradient
+static inline void deformation
 (
-    const scalarField& start,
-    const scalarField& change,
-    const label* rows,
-    const scalar* E,
-    const scalar* B,
+    const strainDomains& domains,
+    const label domaini,
+    const labelList& rows,
+    const scalarField& displacements,
     laneArray<lanes>* F
 )
 {
-    for (int i = 0; i < 2; ++i)
+    for (int i = 0; i < 4; ++i)
     {
-        const laneArray<lanes> d1 =
-            difference<lanes>(start, change, rows[0], rows[1], i) - E[i];
-        const laneArray<lanes> d2 =
-            difference<lanes>(start, change, rows[0], rows[2], i) - E[2 + i];
-        F[2*i] = d1*B[0] + d2*B[2];
-        F[2*i + 1] = d1*B[1] + d2*B[3];
+        F[i].setZero();
+    }
+    const label first = domains.start(domaini);
+    for (label j = first + 1; j < domains.start(domaini + 1); ++j)
+    {
+        const scalar* g = &domains.gradients()[2*j];
+        for (int i = 0; i < 2; ++i)
+        {
+            const laneArray<lanes> d =
+                at<lanes>(displacements, 2*rows[j] + i)
+              - at<lanes>(displacements, 2*rows[first] + i);
+            F[2*i] += d*g[0];
+            F[2*i + 1] += d*g[1];
+        }
     }
 }
 
 
-//- Add weight*G^T g to the nodes of an element
+//- Add P g_n to the domain's nodes
 template<int lanes>
 static inline void spread
 (
-    const scalar weight,
-    const laneArray<lanes>* g,
-    const label* rows,
-    const scalar* B,
+    const strainDomains& domains,
+    const label domaini,
+    const labelList& rows,
+    const laneArray<lanes>* P,
     scalarField& residual
 )
 {
+    const label first = domains.start(domaini);
+    laneArray<lanes> sum[2] =
+        {laneArray<lanes>::Zero(), laneArray<lanes>::Zero()};
+    for (label j = first + 1; j < domains.start(domaini + 1); ++j)
+    {
+        const scalar* g = &domains.gradients()[2*j];
+        for (int i = 0; i < 2; ++i)
+        {
+            const laneArray<lanes> f = P[2*i]*g[0] + P[2*i + 1]*g[1];
+            at<lanes>(residual, 2*rows[j] + i) += f;
+            sum[i] += f;
+        }
+    }
     for (int i = 0; i < 2; ++i)
     {
-        const laneArray<lanes> h1 =
-            weight*(g[2*i]*B[0] + g[2*i + 1]*B[1]);
-        const laneArray<lanes> h2 =
-            weight*(g[2*i]*B[2] + g[2*i + 1]*B[3]);
-        at<lanes>(residual, 2*rows[0] + i) -= h1 + h2;
-        at<lanes>(residual, 2*rows[1] + i) += h1;
-        at<lanes>(residual, 2*rows[2] + i) += h2;
+        at<lanes>(residual, 2*rows[first] + i) -= sum[i];
     }
 }
 
@@ -138,49 +152,29 @@ void Foam::fsi::admmSolver::springStep()
 
 
 template<int lanes>
-void Foam::fsi::admmSolver::addViscous
-(
-    const label elementi,
-    laneArray<lanes>* g
-) const
+void Foam::fsi::admmSolver::setCurrent(const scalarField& from)
 {
-    static const scalar atRest[4] = {0, 0, 0, 0};
-    laneArray<lanes> rate[4];
-    edgeGradient<lanes>
-    (
-        lessDrift_,
-        change_,
-        &elementRows_[3*elementi],
-        atRest,
-        &shape_.elementTerm().inverseEdges()[4*elementi],
-        rate
-    );
-    for (int i = 0; i < 4; ++i)
+    for (label place = 0; place < 2*masses_.size(); ++place)
     {
-        g[i] -= viscousRatio_*rate[i];
+        at<lanes>(current_, place) =
+            at<lanes>(from, place) + at<lanes>(change_, place);
     }
 }
 
 
 template<int lanes, Foam::fsi::admmStep step>
-void Foam::fsi::admmSolver::elementStep()
+void Foam::fsi::admmSolver::areaStep()
 {
     typedef laneArray<lanes> array;
-    const volumeTerm& term = shape_.elementTerm();
+    const strainDomains& domains = shape_.elementTerm().areaDomains();
     array stretch = array::Zero();
 
-    forAll(elementWeights_, elementi)
+    forAll(areaWeights_, domaini)
     {
-        const label* rows = &elementRows_[3*elementi];
-        const scalar* E = &term.edges()[4*elementi];
-        const scalar* B = &term.inverseEdges()[4*elementi];
-
         array F[4];
-        edgeGradient<lanes>(start_, change_, rows, E, B, F);
+        deformation<lanes>(domains, domaini, areaRows_, current_, F);
         F[0] += 1;
         F[3] += 1;
-        const array shear0 = 0.5*shearRatio_*(F[0] - F[3]);
-        const array shear1 = 0.5*shearRatio_*(F[1] + F[2]);
         if (step == admmStep::force)
         {
             stretch = stretch.max(secondDerivative<lanes>(F));
@@ -197,7 +191,7 @@ void Foam::fsi::admmSolver::elementStep()
         {
             for (int i = 0; i < 4; ++i)
             {
-                F[i] += at<lanes>(elementDual_, 4*elementi + i);
+                F[i] += at<lanes>(areaDual_, 4*domaini + i);
             }
             volumeTerm::toLocalStep
             (
@@ -208,23 +202,65 @@ void Foam::fsi::admmSolver::elementStep()
         array g[4];
         for (int i = 0; i < 4; ++i)
         {
-            auto u = at<lanes>(elementDual_, 4*elementi + i);
-            g[i] = updateDual<step, lanes>(F[i], u);
+            auto u = at<lanes>(areaDual_, 4*domaini + i);
+            g[i] = areaWeights_[domaini]*updateDual<step, lanes>(F[i], u);
         }
-
-        // F less its cofactors is twice the part of F that is not conformal
-        g[0] -= shear0;
-        g[1] -= shear1;
-        g[2] -= shear1;
-        g[3] += shear0;
-        if (step != admmStep::start && viscousRatio_ > 0)
-        {
-            addViscous<lanes>(elementi, g);
-        }
-
-        spread<lanes>(elementWeights_[elementi], g, rows, B, residual_);
+        spread<lanes>(domains, domaini, areaRows_, g, residual_);
     }
     at<lanes>(stretch_, 0) = stretch;
+}
+
+
+template<int lanes>
+void Foam::fsi::admmSolver::shearStep()
+{
+    typedef laneArray<lanes> array;
+    const strainDomains& domains = shape_.elementTerm().shearDomains();
+
+    forAll(shearWeights_, domaini)
+    {
+        array F[4];
+        deformation<lanes>(domains, domaini, shearRows_, current_, F);
+
+        // F less its cofactors is twice the part that is not conformal
+        const scalar weight = -0.5*shearWeights_[domaini];
+        const array c = weight*(F[0] - F[3]), d = weight*(F[1] + F[2]);
+        const array P[4] = {c, d, d, -c};
+        spread<lanes>(domains, domaini, shearRows_, P, residual_);
+    }
+}
+
+
+template<int lanes>
+void Foam::fsi::admmSolver::viscousStep()
+{
+    typedef laneArray<lanes> array;
+    const strainDomains& domains = shape_.elementTerm().shearDomains();
+
+    forAll(viscousWeights_, domaini)
+    {
+        array P[4];
+        deformation<lanes>(domains, domaini, shearRows_, current_, P);
+        for (array& part : P)
+        {
+            part *= -viscousWeights_[domaini];
+        }
+        spread<lanes>(domains, domaini, shearRows_, P, residual_);
+    }
+}
+
+
+template<int lanes, Foam::fsi::admmStep step>
+void Foam::fsi::admmSolver::elementStep()
+{
+    setCurrent<lanes>(displacement_);
+    areaStep<lanes, step>();
+    shearStep<lanes>();
+    if (step != admmStep::start && !viscousWeights_.empty())
+    {
+        setCurrent<lanes>(lessDrift_);
+        viscousStep<lanes>();
+    }
 }
 
 

@@ -2,7 +2,7 @@
 
 #include "admmSolver.H"
 #include "elementViscosity.H"
-#include "error.H"
+#include "UIndirectList.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -27,15 +27,9 @@ void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
         springRows_[2*springi + 1] = rowOf[ends.second()];
     }
 
-    elementRows_.resize(3*shape_.elements().size());
-    forAll(shape_.elements(), elementi)
-    {
-        for (label i = 0; i < 3; ++i)
-        {
-            elementRows_[3*elementi + i] =
-                rowOf[shape_.elements()[elementi][i]];
-        }
-    }
+    const volumeTerm& term = shape_.elementTerm();
+    areaRows_ = labelUIndList(rowOf, term.areaDomains().nodes())();
+    shearRows_ = labelUIndList(rowOf, term.shearDomains().nodes())();
 
     masses_.resize(shape_.nNodes());
     forAll(masses_, nodei)
@@ -51,15 +45,22 @@ void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
     springRatio_ = 1/controls.springWeight;
     springFraction_ = 1/(1 + controls.springWeight);
 
-    elementWeights_ =
+    areaWeights_ =
         sqr(dt)*controls.areaWeight*shape_.areaStiffness()
-       *shape_.elementTerm().volumes();
-    shearRatio_ =
-        2*shape_.shearModulus()
-       /max(controls.areaWeight*shape_.areaStiffness(), VSMALL);
-    viscousRatio_ =
-        elementViscosity::boundRatio*shape_.viscosity()
-       /max(dt*controls.areaWeight*shape_.areaStiffness(), VSMALL);
+       *term.areaDomains().volumes();
+    shearWeights_.clear();
+    if (shape_.shearModulus() > 0)
+    {
+        shearWeights_ =
+            2*sqr(dt)*shape_.shearModulus()*term.shearDomains().volumes();
+    }
+    viscousWeights_.clear();
+    if (shape_.viscosity() > 0)
+    {
+        viscousWeights_ =
+            dt*elementViscosity::boundRatio*shape_.viscosity()
+           *term.shearDomains().volumes();
+    }
 }
 
 
@@ -73,12 +74,17 @@ void Foam::fsi::admmSolver::resize(const label lanes)
     {
         start_.resize(nNodeValues);
         inertial_.resize(nNodeValues);
+        displacement_.resize(nNodeValues);
+        current_.resize(nNodeValues);
         lessDrift_.resize(shape_.viscosity() > 0 ? nNodeValues : 0);
         change_.resize(nNodeValues);
         residual_.resize(nNodeValues);
         springDual_.resize(2*lanes*nSprings);
         restLengths_.resize(lanes*nSprings);
-        elementDual_.resize(4*lanes*shape_.elements().size());
+        areaDual_.resize
+        (
+            4*lanes*shape_.elementTerm().areaDomains().size()
+        );
     }
 }
 

@@ -9,29 +9,73 @@ namespace Foam
 namespace fsi
 {
 
-//- Deformation gradient F of an element of a copy, row by row
-static FixedList<scalar, 4> deformationGradient
+//- Energy of the area terms of a copy [J]; subtracts their derivative from
+//  the nodes' forces, if there are any
+static scalar areaEnergy
 (
-    const shapeTemplate& shape,
-    const label elementi,
-    const Eigen::MatrixXd& positions,
-    const label copyi
+    const volumeTerm& term,
+    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    const label column,
+    Eigen::MatrixXd* force
 )
 {
-    const bodyElement& element = shape.elements()[elementi];
-    const scalar* E = &shape.elementTerm().edges()[4*elementi];
-    const scalar* B = &shape.elementTerm().inverseEdges()[4*elementi];
-
-    FixedList<scalar, 4> F;
-    for (label i = 0; i < 2; ++i)
+    const strainDomains& domains = term.areaDomains();
+    scalar energy = 0;
+    for (label domaini = 0; domaini < domains.size(); ++domaini)
     {
-        const auto x = positions.col(2*copyi + i);
-        const scalar d1 = x[element[1]] - x[element[0]] - E[i];
-        const scalar d2 = x[element[2]] - x[element[0]] - E[2 + i];
-        F[2*i] = d1*B[0] + d2*B[2] + scalar(i == 0);
-        F[2*i + 1] = d1*B[1] + d2*B[3] + scalar(i == 1);
+        scalar F[4];
+        domains.gradient(domaini, x, true, F);
+        F[0] += 1;
+        F[3] += 1;
+        const scalar stiffness = term.stiffness()*domains.volumes()[domaini];
+        energy += 0.25*stiffness*sqr(F[0]*F[3] - F[1]*F[2] - 1);
+        if (force)
+        {
+            volumeTerm::toGradient(F[0], F[1], F[2], F[3]);
+            for (scalar& part : F)
+            {
+                part *= stiffness;
+            }
+            domains.addForce(domaini, F, force->middleCols(column, 2));
+        }
     }
-    return F;
+    return energy;
+}
+
+
+//- The same for the shear of neo-Hookean bodies
+static scalar shearEnergy
+(
+    const shapeTemplate& shape,
+    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    const label column,
+    Eigen::MatrixXd* force
+)
+{
+    if (shape.shearModulus() == 0)
+    {
+        return 0;
+    }
+    const strainDomains& domains = shape.elementTerm().shearDomains();
+    scalar energy = 0;
+    for (label domaini = 0; domaini < domains.size(); ++domaini)
+    {
+        scalar F[4];
+        domains.gradient(domaini, x, true, F);
+        const scalar size =
+            2*shape.shearModulus()*domains.volumes()[domaini];
+
+        // The part that is not conformal is (c d; d -c)
+        const scalar c = 0.5*(F[0] - F[3]);
+        const scalar d = 0.5*(F[1] + F[2]);
+        energy += size*(sqr(c) + sqr(d));
+        if (force)
+        {
+            const scalar P[4] = {size*c, size*d, size*d, -size*c};
+            domains.addForce(domaini, P, force->middleCols(column, 2));
+        }
+    }
+    return energy;
 }
 
 } // End namespace fsi
@@ -94,46 +138,9 @@ void Foam::fsi::bodyGroup::addElementTerms
         return;
     }
 
-    const volumeTerm& term = shape_.elementTerm();
-    forAll(shape_.elements(), elementi)
-    {
-        FixedList<scalar, 4> F
-        (
-            deformationGradient(shape_, elementi, positions_, copyi)
-        );
-        const scalar volume = term.volumes()[elementi];
-        const scalar stiffness = term.stiffness()*volume;
-        const scalar shear = 2*shape_.shearModulus()*volume;
-
-        // The part that is not conformal is (c d; d -c)
-        const scalar c = 0.5*(F[0] - F[3]);
-        const scalar d = 0.5*(F[1] + F[2]);
-        energy +=
-            0.25*stiffness*sqr(F[0]*F[3] - F[1]*F[2] - 1)
-          + shear*(sqr(c) + sqr(d));
-        if (force)
-        {
-            volumeTerm::toGradient(F[0], F[1], F[2], F[3]);
-            const scalar pull[4] =
-            {
-                -stiffness*F[0] - shear*c,
-                -stiffness*F[1] - shear*d,
-                -stiffness*F[2] - shear*d,
-                -stiffness*F[3] + shear*c
-            };
-            auto f = force->middleCols(2*copyi, 2);
-            const bodyElement& element = shape_.elements()[elementi];
-            const scalar* B = &term.inverseEdges()[4*elementi];
-            for (label i = 0; i < 2; ++i)
-            {
-                const scalar h1 = pull[2*i]*B[0] + pull[2*i + 1]*B[1];
-                const scalar h2 = pull[2*i]*B[2] + pull[2*i + 1]*B[3];
-                f(element[0], i) -= h1 + h2;
-                f(element[1], i) += h1;
-                f(element[2], i) += h2;
-            }
-        }
-    }
+    const auto x = positions_.middleCols(2*copyi, 2);
+    energy += areaEnergy(shape_.elementTerm(), x, 2*copyi, force);
+    energy += shearEnergy(shape_, x, 2*copyi, force);
 }
 
 

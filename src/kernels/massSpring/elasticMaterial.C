@@ -75,7 +75,15 @@ void Foam::fsi::elasticMaterial::check
         checkKeys
         (
             dict.subDict("material"),
-            {"type", "density", "E", "areaStiffness", "viscosity", "nodeMass"}
+            {
+                "type",
+                "density",
+                "E",
+                "areaStiffness",
+                "strain",
+                "viscosity",
+                "nodeMass"
+            }
         );
     }
     else if (!membrane)
@@ -89,6 +97,7 @@ void Foam::fsi::elasticMaterial::check
                 "E",
                 "springLaw",
                 "areaStiffness",
+                "strain",
                 "viscosity",
                 "calibration",
                 "nodeMass"

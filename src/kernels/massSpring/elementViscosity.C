@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "elementViscosity.H"
-#include "innerFlow.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -21,29 +20,25 @@ static void addForceOfCopy
     Eigen::Ref<Eigen::MatrixXd> force
 )
 {
-    scalar g[3][2];
-    forAll(shape.elements(), elementi)
+    const strainDomains& domains = shape.elementTerm().shearDomains();
+    for (label domaini = 0; domaini < domains.size(); ++domaini)
     {
-        const bodyElement& element = shape.elements()[elementi];
-        innerFlow::gradients(element, x, g);
+        scalar F[4], rate[4];
+        domains.gradient(domaini, x, true, F);
+        domains.gradient(domaini, v, false, rate);
 
-        // Twice the rate of strain, times twice the area
-        Eigen::Matrix2d rate = Eigen::Matrix2d::Zero();
-        for (int a = 0; a < 3; ++a)
-        {
-            rate += v.row(element[a]).transpose()
-               *Eigen::RowVector2d(g[a][0], g[a][1]);
-        }
-        const scalar area =
-            shape.elementTerm().volumes()[elementi]/shape.thickness();
-        const Eigen::Matrix2d stress =
-            0.25*shape.viscosity()*shape.thickness()/area
-           *(rate + rate.transpose());
-        for (int a = 0; a < 3; ++a)
-        {
-            force.row(element[a]) -=
-                (stress*Eigen::Vector2d(g[a][0], g[a][1])).transpose();
-        }
+        // Gradients in space are (cof F) g, where areas are kept
+        Eigen::Matrix2d cofactors, dF;
+        cofactors << F[3] + 1, -F[2], -F[1], F[0] + 1;
+        dF << rate[0], rate[1], rate[2], rate[3];
+        const Eigen::Matrix2d gradient = dF*cofactors.transpose();
+        const Eigen::Matrix2d P =
+            shape.viscosity()*domains.volumes()[domaini]
+           *(gradient + gradient.transpose())*cofactors;
+        domains.addForce
+        (
+            domaini, {P(0, 0), P(0, 1), P(1, 0), P(1, 1)}, force
+        );
     }
 }
 

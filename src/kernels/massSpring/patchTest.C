@@ -63,18 +63,27 @@ static matrixEntries linearStiffness
     }
 
     // The divergence, with half of the stiffness (see volumeTerm)
-    forAll(mesh.elements, elementi)
+    const strainDomains& domains = elementTerm.areaDomains();
+    std::vector<label> unknowns;
+    for (label domaini = 0; domaini < domains.size(); ++domaini)
     {
-        const bodyElement& e = mesh.elements[elementi];
-        const scalar* B = &elementTerm.inverseEdges()[4*elementi];
-
-        const label unknowns[6] =
-            {2*e[0], 2*e[0] + 1, 2*e[1], 2*e[1] + 1, 2*e[2], 2*e[2] + 1};
-        const scalar g[6] =
-            {-B[0] - B[2], -B[1] - B[3], B[0], B[1], B[2], B[3]};
+        unknowns.clear();
+        const label start = domains.start(domaini);
+        for (label j = start; j < domains.start(domaini + 1); ++j)
+        {
+            unknowns.push_back(2*domains.nodes()[j]);
+            unknowns.push_back(2*domains.nodes()[j] + 1);
+        }
         const scalar stiffness =
-            0.5*elementTerm.stiffness()*elementTerm.volumes()[elementi];
-        addProduct(6, unknowns, g, stiffness, entries);
+            0.5*elementTerm.stiffness()*domains.volumes()[domaini];
+        addProduct
+        (
+            unknowns.size(),
+            unknowns.data(),
+            &domains.gradients()[2*start],
+            stiffness,
+            entries
+        );
     }
 
     return entries;

@@ -104,11 +104,15 @@ Eigen::SparseMatrix<double> Foam::fsi::shapeTemplate::matrix
         entries.emplace_back(b, a, -weights[springi]);
     }
 
-    volumeTerm_->addLaplacian
+    const volumeTerm& term = *volumeTerm_;
+    term.areaDomains().addLaplacian
     (
-        mesh_,
-        sqr(dt)*(admm_.areaWeight*areaStiffness_ + 2*shearModulus_)
-      + dt*elementViscosity::boundRatio*viscosity_,
+        sqr(dt)*admm_.areaWeight*areaStiffness_,
+        entries
+    );
+    term.shearDomains().addLaplacian
+    (
+        2*sqr(dt)*shearModulus_ + dt*elementViscosity::boundRatio*viscosity_,
         entries
     );
 

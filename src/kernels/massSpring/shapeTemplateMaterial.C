@@ -19,7 +19,23 @@ void Foam::fsi::shapeTemplate::setGeometry()
         restLengths_[springi] = std::sqrt(d.x()*d.x() + d.y()*d.y());
     }
 
-    volumeTerm_.reset(new volumeTerm(mesh_, thickness_, areaStiffness_));
+    const word strain
+    (
+        readChoice
+        (
+            materialDict_,
+            "strain",
+            "triangle",
+            {"triangle", "smoothed"}
+        )
+    );
+    volumeTerm_.reset
+    (
+        new volumeTerm
+        (
+            mesh_, thickness_, areaStiffness_, strain == "smoothed"
+        )
+    );
     referenceVolume_ = sum(volumeTerm_->volumes())/thickness_;
 }
 

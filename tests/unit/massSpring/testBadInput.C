@@ -125,6 +125,16 @@ TEST(badMaterial, isRefusedWithFileAndKey)
 }
 
 
+TEST(badMaterial, namesTheDomainsOfTheStrain)
+{
+    expectError
+    (
+        errorOf(circle, rubber + "strain linear;", ""),
+        {"strain", "linear", "triangle", "smoothed"}
+    );
+}
+
+
 TEST(badMaterial, withBadViscosityIsRefused)
 {
     expectError(errorOf(circle, rubber + "viscosity -1;", ""), {"viscosity"});
