@@ -12,6 +12,23 @@ namespace fsi
 
 typedef strainDomains::kind domainKind;
 
+//- Volumes of the triangles; fatal for one that is not positively oriented
+static scalarField checkedVolumes(const shapeMesh& mesh, const scalar thickness)
+{
+    const scalarField volumes(mesh.elementVolumes()*thickness);
+    forAll(volumes, elementi)
+    {
+        if (!(volumes[elementi] > 0))
+        {
+            FatalErrorInFunction
+                << "Element " << elementi << " with nodes "
+                << mesh.elements[elementi]
+                << " is not positively oriented" << exit(FatalError);
+        }
+    }
+    return volumes;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -27,7 +44,7 @@ Foam::fsi::volumeTerm::volumeTerm
 )
 :
     stiffness_(stiffness),
-    volumes_(mesh.elementVolumes()*thickness),
+    volumes_(checkedVolumes(mesh, thickness)),
     areaDomains_
     (
         mesh, thickness, smoothed ? domainKind::node : domainKind::triangle
@@ -36,18 +53,7 @@ Foam::fsi::volumeTerm::volumeTerm
     (
         mesh, thickness, smoothed ? domainKind::edge : domainKind::triangle
     )
-{
-    forAll(mesh.elements, elementi)
-    {
-        if (!(volumes_[elementi] > 0))
-        {
-            FatalErrorInFunction
-                << "Element " << elementi << " with nodes "
-                << mesh.elements[elementi]
-                << " is not positively oriented" << exit(FatalError);
-        }
-    }
-}
+{}
 
 
 // ************************************************************************* //
