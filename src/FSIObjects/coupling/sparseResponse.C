@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "sparseResponse.H"
+#include "membraneMatrix.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -39,29 +40,33 @@ void Foam::fsi::sparseResponse::factorCopy
     const std::vector<copyLink>& links
 )
 {
-    // A/dt + W: the nodes of a surface face are joined by springs, so that W
-    // has the pattern of A
-    const label nNodes = group_.shape().nNodes();
-    sparseMatrix B(group_.response().matrix().matrix(copyi)/deltaT_);
+    const blockMatrix& A =
+        dynamic_cast<const membraneMatrix&>
+        (
+            group_.response().matrix()
+        ).matrix(copyi);
+    const blockPattern& pattern = A.pattern();
+
+    scalarField values(A.values()/deltaT_);
     for (const copyLink& link : links)
     {
-        const label n = link.nNodes();
-        for (label i = 0; i < n; ++i)
+        for (label i = 0; i < link.nNodes(); ++i)
         {
-            for (label j = 0; j < n; ++j)
+            for (label j = 0; j < link.nNodes(); ++j)
             {
-                for (label first = 0; first < B.rows(); first += nNodes)
+                const scalar value =
+                    link.coefficient*link.weights[i]*link.weights[j];
+                const label nodeA = link.nodes[i], nodeB = link.nodes[j];
+                const label at = pattern.valueOf(nodeA, nodeB);
+                if (at >= 0)
                 {
-                    B.coeffRef(first + link.nodes[i], first + link.nodes[j]) +=
-                        link.coefficient*link.weights[i]*link.weights[j];
+                    values[at] += value;
+                    values[at + 3] += value;
                 }
             }
         }
     }
-
-    // The pattern changes with the triangles of the filling
-    factors_[copyi] = std::make_unique<cholesky>(B);
-    if (factors_[copyi]->info() != Eigen::Success)
+    if (!factors_[copyi].factor(pattern, values))
     {
         FatalErrorInFunction
             << "The matrix of the viscous links of copy " << copyi
@@ -91,18 +96,11 @@ void Foam::fsi::sparseResponse::solveMatrices
     Eigen::MatrixXd& x
 ) const
 {
-    // The columns of a copy, one after the other
-    typedef Eigen::VectorXd vectorX;
-    const label nDims = group_.shape().nDims();
-    const label n = nDims*b.rows();
-    x.resize(b.rows(), b.cols());
+    // The columns of a copy lie one after the other
+    x = b;
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        Eigen::Map<vectorX>(x.col(nDims*copyi).data(), n) =
-            factors_[copyi]->solve
-            (
-                Eigen::Map<const vectorX>(b.col(nDims*copyi).data(), n)
-            );
+        factors_[copyi].solve(x.col(group_.shape().nDims()*copyi).data());
     }
 }
 

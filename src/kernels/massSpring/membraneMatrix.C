@@ -46,6 +46,28 @@ void Foam::fsi::membraneMatrix::addStretching
 }
 
 
+void Foam::fsi::membraneMatrix::makeEntries
+(
+    const scalar dt,
+    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    const List<bodyElement>& triangles
+)
+{
+    const label n = shape_.nNodes();
+    const scalar viscosity =
+        shape_.membrane()->innerViscosity*shape_.thickness();
+
+    entries_.clear();
+    for (label i = 0; i < 2*n; ++i)
+    {
+        entries_.emplace_back(i, i, shape_.nodeMasses()[i % n]);
+    }
+    innerFlow::addViscosity(triangles, x, viscosity, dt, entries_);
+    addStretching(dt, x);
+    shape_.bending().addStiffness(x, sqr(dt), entries_);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::membraneMatrix::membraneMatrix(const shapeTemplate& shape)
@@ -63,33 +85,23 @@ void Foam::fsi::membraneMatrix::prepare
     const List<List<bodyElement>>& triangles
 )
 {
-    const label n = shape_.nNodes();
-    const scalar viscosity =
-        shape_.membrane()->innerViscosity*shape_.thickness();
-
     copies_.resize(triangles.size());
     forAll(triangles, copyi)
     {
-        const auto x = positions.middleCols(2*copyi, 2);
-        entries_.clear();
-        for (label i = 0; i < 2*n; ++i)
-        {
-            entries_.emplace_back(i, i, shape_.nodeMasses()[i % n]);
-        }
-        innerFlow::addViscosity(triangles[copyi], x, viscosity, dt, entries_);
-        addStretching(dt, x);
-        shape_.bending().addStiffness(x, sqr(dt), entries_);
-
+        makeEntries(dt, positions.middleCols(2*copyi, 2), triangles[copyi]);
         if (!copies_[copyi])
         {
             copies_[copyi] = std::make_unique<copyMatrix>();
         }
         copyMatrix& copy = *copies_[copyi];
         copy.boundaryInverse.resize(0, 0);
-        copy.matrix.resize(2*n, 2*n);
-        copy.matrix.setFromTriplets(entries_.begin(), entries_.end());
-        copy.factor.compute(copy.matrix);
-        if (copy.factor.info() != Eigen::Success)
+        if (copy.triangles != triangles[copyi])
+        {
+            copy.triangles = triangles[copyi];
+            copy.matrix.setPattern(shape_.nNodes(), entries_);
+        }
+        copy.matrix.set(entries_);
+        if (!copy.factor.factor(copy.matrix.pattern(), copy.matrix.values()))
         {
             FatalErrorInFunction
                 << "The matrix of copy " << copyi << " of the membrane "
@@ -97,6 +109,24 @@ void Foam::fsi::membraneMatrix::prepare
                 << " s is not positive definite" << exit(FatalError);
         }
     }
+}
+
+
+Eigen::MatrixXd Foam::fsi::membraneMatrix::multiply
+(
+    const Eigen::MatrixXd& x
+) const
+{
+    Eigen::MatrixXd result(x.rows(), x.cols());
+    for (label copyi = 0; copyi < x.cols()/2; ++copyi)
+    {
+        matrix(copyi).multiply
+        (
+            x.col(2*copyi).data(),
+            result.col(2*copyi).data()
+        );
+    }
+    return result;
 }
 
 
@@ -108,17 +138,7 @@ const Eigen::MatrixXd& Foam::fsi::membraneMatrix::boundaryInverse
     copyMatrix& copy = *copies_[copyi];
     if (copy.boundaryInverse.size() == 0)
     {
-        const label n = shape_.nNodes(), nB = shape_.nBoundaryNodes();
-        Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(2*n, 2*nB);
-        for (label i = 0; i < nB; ++i)
-        {
-            columns(i, i) = columns(n + i, nB + i) = 1;
-        }
-        columns = copy.factor.solve(columns).eval();
-
-        Eigen::MatrixXd block(2*nB, 2*nB);
-        block << columns.topRows(nB), columns.middleRows(n, nB);
-        copy.boundaryInverse = 0.5*(block + block.transpose());
+        copy.boundaryInverse = copy.factor.inverse(shape_.nBoundaryNodes());
     }
     return copy.boundaryInverse;
 }
@@ -128,12 +148,7 @@ void Foam::fsi::membraneMatrix::solve(Eigen::MatrixXd& b) const
 {
     for (label copyi = 0; copyi < b.cols()/2; ++copyi)
     {
-        Eigen::Map<Eigen::VectorXd> column
-        (
-            b.col(2*copyi).data(),
-            2*b.rows()
-        );
-        column = copies_[copyi]->factor.solve(column).eval();
+        copies_[copyi]->factor.solve(b.col(2*copyi).data());
     }
 }
 
