@@ -42,25 +42,48 @@ class Fluid:
     """The mesh and fields of a case, reconstructed or in processor folders."""
 
     def __init__(self, case):
-        self.times, self.reader = [], None
+        self.times, self.reader, self.case = [], None, case
+        self.controller = vtkDummyController()  # readers fail without one
         meshes = ("constant/polyMesh", "processor0/constant/polyMesh")
         found = [m for m in meshes if os.path.isdir(os.path.join(case, m))]
         if not found:
             return
-        self.reader = vtkIOParallel.vtkPOpenFOAMReader()
-        self.controller = vtkDummyController()  # it fails without one
-        self.reader.SetController(self.controller)
-        self.reader.SetFileName(os.path.join(case, "system/controlDict"))
-        self.reader.SetCaseType(0 if found[0].startswith("p") else 1)
-        self.reader.SkipZeroTimeOff()
-        self.reader.UpdateInformation()
-        self.reader.DisableAllPatchArrays()
-        self.reader.SetPatchArrayStatus("internalMesh", 1)
+        self.in_parts = found[0].startswith("p")
+        self.reader = self.open("internalMesh")
         self.reader.EnableAllCellArrays()
         self.reader.CreateCellToPointOff()
         values = self.reader.GetTimeValues()
         count = values.GetNumberOfTuples() if values else 0
         self.times = [values.GetValue(i) for i in range(count)]
+
+    def open(self, part):
+        """A reader for a part of the mesh, or a group of patches."""
+        reader = vtkIOParallel.vtkPOpenFOAMReader()
+        reader.SetController(self.controller)
+        reader.SetFileName(os.path.join(self.case, "system/controlDict"))
+        reader.SetCaseType(0 if self.in_parts else 1)
+        reader.SkipZeroTimeOff()
+        reader.UpdateInformation()
+        reader.DisableAllPatchArrays()
+        reader.SetPatchArrayStatus(part, 1)
+        return reader
+
+    def periods(self, bounds):
+        """Length of the mesh in x and y, 0 where no cyclic patches join it."""
+        periods = [0, 0]
+        if self.reader:
+            reader = self.open("group/cyclic")
+            reader.DisableAllCellArrays()
+            reader.Update()
+            patches = reader.GetOutput().NewIterator()
+            while not patches.IsDoneWithTraversal():
+                box = patches.GetCurrentDataObject().GetBounds()
+                for i in range(2):
+                    length = bounds[2*i + 1] - bounds[2*i]
+                    if abs(box[2*i + 1] - box[2*i]) < 1e-5*length:
+                        periods[i] = length
+                patches.GoToNextItem()
+        return periods
 
     def read(self, time):
         """The plane half way through the mesh, with the fields on points."""

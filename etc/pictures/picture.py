@@ -3,9 +3,9 @@
 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the renderer
-from vtkmodules import vtkCommonCore, vtkCommonDataModel, vtkFiltersCore
-from vtkmodules import vtkFiltersSources, vtkRenderingAnnotation
-from vtkmodules import vtkRenderingCore
+from vtkmodules import vtkCommonCore, vtkCommonDataModel, vtkCommonTransforms
+from vtkmodules import vtkFiltersCore, vtkFiltersGeneral, vtkFiltersSources
+from vtkmodules import vtkRenderingAnnotation, vtkRenderingCore
 
 PALETTE = (
     (227, 120, 41), (43, 140, 87), (204, 64, 84),
@@ -27,6 +27,22 @@ def actor_of(data, colour=None, height=0.0):
     if colour:
         actor.GetProperty().SetColor(*colour)
     return actor
+
+
+def with_images(data, periods):
+    """Polygons or lines and their copies in the periods beside theirs."""
+    copies = vtkFiltersCore.vtkAppendPolyData()
+    steps = [(-p, 0, p) if p else (0,) for p in periods]
+    for x in steps[0]:
+        for y in steps[1]:
+            transform = vtkCommonTransforms.vtkTransform()
+            transform.Translate(x, y, 0)
+            moved = vtkFiltersGeneral.vtkTransformPolyDataFilter()
+            moved.SetInputData(data)
+            moved.SetTransform(transform)
+            copies.AddInputConnection(moved.GetOutputPort())
+    copies.Update()
+    return copies.GetOutput()
 
 
 def magnitude_range(data, name):
@@ -63,6 +79,18 @@ class Picture:
     def add(self, actor, line_width=1.0):
         actor.GetProperty().SetLineWidth(line_width*self.line)
         self.renderer.AddActor(actor)
+
+    def add_inside(self, actor, line_width=1.0):
+        """Adds what is in the frame of an actor: objects reach across seams."""
+        sides = ((0, (1, 0)), (1, (-1, 0)), (2, (0, 1)), (3, (0, -1)))
+        for side, normal in sides:
+            origin = [0, 0, 0]
+            origin[side//2] = self.bounds[side]
+            plane = vtkCommonDataModel.vtkPlane()
+            plane.SetOrigin(*origin)
+            plane.SetNormal(*normal, 0)
+            actor.GetMapper().AddClippingPlane(plane)
+        self.add(actor, line_width)
 
     def add_title(self, text):
         title = vtkRenderingCore.vtkTextActor()
@@ -163,14 +191,15 @@ class Picture:
         actor = actor_of(data, None, 3*self.width)
         actor.GetMapper().ScalarVisibilityOn()
         actor.GetMapper().SetScalarModeToUseCellData()
-        self.add(actor)
+        self.add_inside(actor)
 
         edges = actor_of(surfaces, (0.15, 0.15, 0.15), 4*self.width)
         edges.GetProperty().SetRepresentationToWireframe()
-        self.add(edges)
+        self.add_inside(edges)
 
     def add_springs(self, springs):
-        self.add(actor_of(springs, (0.3, 0.3, 0.3), 3.5*self.width), 0.5)
+        actor = actor_of(springs, (0.3, 0.3, 0.3), 3.5*self.width)
+        self.add_inside(actor, 0.5)
 
     def pixels(self):
         """Width and height of the picture."""

@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """etc/render makes pictures, a strip and animations of a short run, with as
-many pictures as were asked for.
+many pictures as were asked for; objects across a seam stand on both sides.
 
     pictures.py FOLDER
 """
 
+import ast
 import os
 import re
 import struct
@@ -16,6 +17,8 @@ import fsiCase
 
 RENDER = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                       "../../../etc/render")
+MEMBRANES = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                         "../../../tutorials/membranes")
 # Two times are written
 END, TIMES = 0.02, 2
 SIZE = 200
@@ -84,6 +87,43 @@ def check_animations(report, case):
                  status != 0 and ".gif or .ogv" in text, text)
 
 
+def pixels(path, places):
+    """Colours of a picture, by the Python that etc/render runs on."""
+    code = ("import sys; from PIL import Image; "
+            "print([Image.open(sys.argv[1]).convert('RGB').getpixel(p) "
+            f"for p in {places}])")
+    done = subprocess.run(["/usr/bin/python3", "-c", code, path],
+                          capture_output=True, text=True, check=True)
+    return ast.literal_eval(done.stdout)
+
+
+def check_seam(report, case):
+    """What leaves the frame of a periodic mesh comes in on the other side."""
+    fsiCase.copy(MEMBRANES, case)
+    fsiCase.set_entry(os.path.join(case, "system/controlDict"),
+                      "endTime", 0.02)
+    fsiCase.set_entry(os.path.join(case, "system/controlDict"),
+                      "writeInterval", 0.02)
+    name = os.path.join(case, "system/seedObjectsDict")
+    with open(name, encoding="ascii") as stream:
+        text = stream.read()
+    with open(name, "w", encoding="ascii") as stream:
+        stream.write(text.replace("(0.5 0.5 0)", "(0.02 0.5 0)"))
+    fsiCase.run(case, "blockMesh")
+    fsiCase.run(case, "seedObjects")
+    fsiCase.run(case, "fsiPisoFoam")
+
+    # 2 m are SIZE pixels, in a frame ten pixels from the left, right and top;
+    # the cell reaches from -0.12 to 0.16 m
+    text = render(case, "-times", "0.02", "-field", "none")[1]
+    columns = (4, 10 + SIZE//40, 10 + SIZE//2, 10 + SIZE - SIZE//40, 15 + SIZE)
+    across = pixels(text.strip(), [(x, 10 + SIZE//4) for x in columns])
+    white = (255, 255, 255)
+    report.check("a cell across a seam is on both sides, and in the frame",
+                 across[1] == across[3] != white
+                 and across[0] == across[2] == across[4] == white, across)
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -92,6 +132,7 @@ def main(folder):
     fsiCase.run(case, "fsiPisoFoam")
     check_pictures(report, case)
     check_animations(report, case)
+    check_seam(report, os.path.join(folder, "seam"))
 
 
 if __name__ == "__main__":
