@@ -15,13 +15,27 @@ import sys
 from paraview import simple
 
 
+def latest_time(folder):
+    """The largest name of a time folder, -1 without one."""
+    latest = -1.0
+    for path in glob.glob(os.path.join(folder, "[0-9]*")):
+        try:
+            latest = max(latest, float(os.path.basename(path)))
+        except ValueError:
+            pass
+    return latest
+
+
 def fluid(case, view):
-    """The mesh, coloured by the magnitude of U."""
+    """The mesh, coloured by the magnitude of U. A parallel run that was not
+    reconstructed yet is read in parts."""
     name = os.path.join(case, os.path.basename(os.path.abspath(case))
                         + ".foam")
     with open(name, "a", encoding="ascii"):
         pass
     reader = simple.OpenFOAMReader(FileName=name)
+    if latest_time(os.path.join(case, "processor0")) > latest_time(case):
+        reader.CaseType = "Decomposed Case"
     reader.UpdatePipeline()
     shown = simple.Show(reader, view)
     if "U" in reader.CellData.keys():

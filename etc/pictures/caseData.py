@@ -15,6 +15,17 @@ def nearest(times, time):
     return min(times, key=lambda t: abs(t - time), default=0.0)
 
 
+def latest_time(folder):
+    """The largest name of a time folder, -1 without one."""
+    latest = -1.0
+    for name in os.listdir(folder):
+        try:
+            latest = max(latest, float(name))
+        except ValueError:
+            pass
+    return latest
+
+
 class Series:
     """A VTK series of polygons or lines; a restart continues an earlier one."""
 
@@ -44,24 +55,30 @@ class Fluid:
     def __init__(self, case):
         self.times, self.reader, self.case = [], None, case
         self.controller = vtkDummyController()  # readers fail without one
-        meshes = ("constant/polyMesh", "processor0/constant/polyMesh")
-        found = [m for m in meshes if os.path.isdir(os.path.join(case, m))]
-        if not found:
+        rank = os.path.join(case, "processor0")
+        self.has_mesh, rank_has_mesh = (
+            os.path.isdir(os.path.join(f, "constant/polyMesh"))
+            for f in (case, rank)
+        )
+        if not self.has_mesh and not rank_has_mesh:
             return
-        self.in_parts = found[0].startswith("p")
-        self.reader = self.open("internalMesh")
+        # A parallel run that was not reconstructed yet is read in parts
+        in_parts = not self.has_mesh or (
+            rank_has_mesh and latest_time(rank) > latest_time(case))
+        self.reader = self.open("internalMesh", in_parts)
         self.reader.EnableAllCellArrays()
         self.reader.CreateCellToPointOff()
         values = self.reader.GetTimeValues()
         count = values.GetNumberOfTuples() if values else 0
         self.times = [values.GetValue(i) for i in range(count)]
 
-    def open(self, part):
-        """A reader for a part of the mesh, or a group of patches."""
+    def open(self, part, in_parts):
+        """A reader for a part of the mesh or a group of patches, of the whole
+        case or of the ranks' parts."""
         reader = vtkIOParallel.vtkPOpenFOAMReader()
         reader.SetController(self.controller)
         reader.SetFileName(os.path.join(self.case, "system/controlDict"))
-        reader.SetCaseType(0 if self.in_parts else 1)
+        reader.SetCaseType(0 if in_parts else 1)
         reader.SkipZeroTimeOff()
         reader.UpdateInformation()
         reader.DisableAllPatchArrays()
@@ -72,7 +89,7 @@ class Fluid:
         """Length of the mesh in x and y, 0 where no cyclic patches join it."""
         periods = [0, 0]
         if self.reader:
-            reader = self.open("group/cyclic")
+            reader = self.open("group/cyclic", not self.has_mesh)
             reader.DisableAllCellArrays()
             reader.Update()
             patches = reader.GetOutput().NewIterator()

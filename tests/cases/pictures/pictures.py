@@ -97,8 +97,8 @@ def pixels(path, places):
     return ast.literal_eval(done.stdout)
 
 
-def check_seam(report, case):
-    """What leaves the frame of a periodic mesh comes in on the other side."""
+def shear_box(case):
+    """Two membranes, of which one lies across the seam, at two ranks."""
     fsiCase.copy(MEMBRANES, case)
     fsiCase.set_entry(os.path.join(case, "system/controlDict"),
                       "endTime", 0.02)
@@ -111,8 +111,26 @@ def check_seam(report, case):
         stream.write(text.replace("(0.5 0.5 0)", "(0.02 0.5 0)"))
     fsiCase.run(case, "blockMesh")
     fsiCase.run(case, "seedObjects")
-    fsiCase.run(case, "fsiPisoFoam")
+    with open(os.path.join(case, "system/decomposeParDict"), "w",
+              encoding="ascii") as stream:
+        stream.write("FoamFile { version 2.0; format ascii; class dictionary; "
+                     "object decomposeParDict; } numberOfSubdomains 2; "
+                     "method simple; simpleCoeffs { n (2 1 1); delta 1e-3; }")
+    fsiCase.run(case, "decomposePar")
+    fsiCase.run(case, "fsiPisoFoam", ranks=2)
 
+
+def check_parallel(report, case):
+    """The parts of two ranks look like the whole."""
+    parts = contents(render(case, "-times", "0.02")[1].strip())
+    fsiCase.run(case, "reconstructPar")
+    whole = contents(render(case, "-times", "0.02")[1].strip())
+    report.check("two ranks' fields as those put together",
+                 parts == whole != b"", f"{len(parts)}, {len(whole)} bytes")
+
+
+def check_seam(report, case):
+    """What leaves the frame of a periodic mesh comes in on the other side."""
     # 2 m are SIZE pixels, in a frame ten pixels from the left, right and top;
     # the cell reaches from -0.12 to 0.16 m
     text = render(case, "-times", "0.02", "-field", "none")[1]
@@ -132,7 +150,11 @@ def main(folder):
     fsiCase.run(case, "fsiPisoFoam")
     check_pictures(report, case)
     check_animations(report, case)
-    check_seam(report, os.path.join(folder, "seam"))
+
+    case = os.path.join(folder, "box")
+    shear_box(case)
+    check_parallel(report, case)
+    check_seam(report, case)
 
 
 if __name__ == "__main__":
