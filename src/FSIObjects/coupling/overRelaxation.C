@@ -17,8 +17,8 @@ Foam::scalar Foam::fsi::overRelaxation::better(const scalar rate) const
 
 void Foam::fsi::overRelaxation::start(const scalar smallest)
 {
-    smallest_ = smallest;
-    factor_ = smallest;
+    smallest_ = min(smallest, scalar(largestStart_));
+    factor_ = smallest_;
     residual_ = 0;
     sweeps_ = 0;
 }

@@ -12,6 +12,19 @@ namespace Foam
 namespace fsi
 {
 
+//- Say so if the sweeps ended before the tolerance
+static void checkConverged(const solverPerformance& result)
+{
+    if (!result.converged())
+    {
+        WarningInFunction
+            << "The velocity's sweeps did not converge: residual "
+            << result.finalResidual() << " after " << result.nIterations()
+            << " (maxIter in fvSolution). Take a smaller deltaT" << endl;
+    }
+}
+
+
 //- Stop before the sweeps' numbers overflow
 static void checkConverges(const solverPerformance& result)
 {
@@ -119,6 +132,7 @@ void Foam::fsi::viscousCoupling::solve
         )
     );
     result.print(Info.masterStream(U.mesh().comm()));
+    checkConverged(result);
 
     matrix_.get(U.primitiveFieldRef());
     U.correctBoundaryConditions();

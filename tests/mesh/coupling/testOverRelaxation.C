@@ -58,6 +58,21 @@ TEST(overRelaxation, keepsAFactorThatIsLargeEnough)
 }
 
 
+TEST(overRelaxation, doesNotBelieveABoundNearTwo)
+{
+    // Row sums may say mu = 1 of a matrix with a much smaller radius
+    overRelaxation relaxation;
+    relaxation.start(1.9993);
+    scalar residual = 1;
+    for (label i = 0; i < 100; ++i)
+    {
+        relaxation.observe(residual);
+        residual *= rate(0.9, relaxation.factor());
+    }
+    EXPECT_LT(residual, 1e-8);
+}
+
+
 TEST(overRelaxation, keepsAFactorBelowOne)
 {
     EXPECT_EQ(factorAfter(20, 0.9, 0.8), 0.8);
