@@ -47,19 +47,23 @@ def fluid(case, view):
 
 def objects(case, view, front):
     """The surfaces of all runs of the case, coloured by the object's id, in
-    front of the mesh, which ends there."""
+    front of the mesh, which ends there. Outlines with hollows are filled right
+    only as triangles."""
     for name in sorted(glob.glob(os.path.join(
             case, "postProcessing/fsiObjects/*/surfaces.vtp.series"))):
         reader = simple.OpenDataFile(name)
         reader.UpdatePipeline()
-        shown = simple.Show(reader, view)
-        shown.Position = [0, 0, front]
-        simple.ColorBy(shown, ("CELLS", "object"))
+        filled = simple.Show(simple.Triangulate(Input=reader), view)
+        filled.Position = [0, 0, front]
+        simple.ColorBy(filled, ("CELLS", "object"))
         simple.GetColorTransferFunction("object").ApplyPreset(
             "Rainbow Desaturated", True)
-        shown.SetScalarBarVisibility(view, False)
-        shown.EdgeColor = [0, 0, 0]
-        shown.SetRepresentationType("Surface With Edges")
+        filled.SetScalarBarVisibility(view, False)
+        outline = simple.Show(reader, view)
+        outline.Position = [0, 0, 1.01*front]
+        outline.SetRepresentationType("Wireframe")
+        simple.ColorBy(outline, ("POINTS", ""))
+        outline.AmbientColor = outline.DiffuseColor = [0, 0, 0]
 
 
 def main(case, picture=None, time=None):
