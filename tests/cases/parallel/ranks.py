@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The first tutorial on several ranks gives the trajectories of one rank.
+"""The first tutorial, and membranes in a periodic channel, on several ranks
+give the trajectories of one rank.
 
-    ranks.py FOLDER STEPS
+    ranks.py FOLDER STEPS       of the first; a tenth of that for the membranes
 """
 
 import math
@@ -12,32 +13,36 @@ import sys
 import fsiCase
 import results
 
-DECOMPOSITIONS = {2: "(2 1 1)", 4: "(2 2 1)"}
+# Time step, part of the steps, decomposition by number of ranks
+RUNS = {
+    "lidDrivenCavity": (0.005, 1, {2: "(2 1 1)", 4: "(2 2 1)"}),
+    "redCells": (5e-5, 0.1, {2: "(2 1 1)", 4: "(2 2 1)"}),
+}
 
 # Of an object's size
 TOLERANCE = 1e-8
 
 
-def prepare(folder, steps):
-    """The tutorial for some steps with tight tolerances, seeded."""
+def prepare(folder, tutorial, step, end):
+    """The tutorial with a fixed step and tight tolerances, seeded."""
     case = fsiCase.tutorial(
-        "lidDrivenCavity", os.path.join(folder, "serial"),
-        endTime=0.005*steps, deltaT=0.005, adjustTimeStep="no",
-        writeFormat="ascii", writeInterval=0.005*steps,
+        tutorial, os.path.join(folder, tutorial),
+        endTime=end, deltaT=step, adjustTimeStep="no",
+        writeFormat="ascii", writeInterval=end,
     )
     fsiCase.set_entry(os.path.join(case, "system/fvSolution"), "tolerance",
                       "1e-12")
     return case
 
 
-def run_ranks(serial, ranks):
+def run_ranks(serial, ranks, parts):
     """Decomposes a seeded case and runs it."""
     case = f"{serial}-{ranks}"
     fsiCase.shutil.copytree(serial, case, ignore=lambda _, names: [
         n for n in names if n.startswith(("log.", "postProcessing"))])
     dictionary = os.path.join(case, "system/decomposeParDict")
     fsiCase.set_entry(dictionary, "numberOfSubdomains", ranks)
-    fsiCase.set_entry(dictionary, "n", DECOMPOSITIONS[ranks])
+    fsiCase.set_entry(dictionary, "n", parts)
     seconds = {}
     fsiCase.run(case, "decomposePar")
     fsiCase.run(case, "fsiPisoFoam", ranks=ranks, limit=2000, seconds=seconds)
@@ -69,15 +74,16 @@ def difference(one, other):
     return max(math.dist(one[i][0], other[i][0])/one[i][1] for i in one)
 
 
-def main(folder, steps):
-    """The checks."""
-    report = fsiCase.Report()
-    serial = report.attempt("set-up", prepare, folder, steps)
+def check(report, folder, tutorial, steps):
+    """The checks of a tutorial."""
+    step, share, decompositions = RUNS[tutorial]
+    serial = report.attempt("set-up", prepare, folder, tutorial, step,
+                            step*round(share*steps))
     if serial is None:
         return
 
-    cases = {n: report.attempt(f"{n} ranks run", run_ranks, serial, n)
-             for n in DECOMPOSITIONS}
+    cases = {n: report.attempt(f"{n} ranks run", run_ranks, serial, n, parts)
+             for n, parts in decompositions.items()}
     if not report.attempt("one rank runs", solve, serial):
         return
     time = results.times(serial)[-1]
@@ -85,18 +91,26 @@ def main(folder, steps):
     print(f"    contacts up to "
           f"{max(r['contacts'] for r in results.table(serial, 'global.csv'))}")
     moved = difference(places(serial, "", "0"), expected)
-    report.check("the objects move", moved > 0.01, f"by {moved:.2e} only")
+    report.check(f"{tutorial}: the objects move", moved > 0.01,
+                 f"by {moved:.2e} only")
 
     for n, case in cases.items():
         if case is None:
             continue
         found = [places(case, f"processor{r}", time) for r in range(n)]
-        report.check(f"{n} ranks hold the same objects",
+        report.check(f"{tutorial}: {n} ranks hold the same objects",
                      all(f == found[0] for f in found), "they differ")
         error = difference(expected, found[0])
         print(f"    {n} ranks: {error:.2e} of an object's size")
-        report.check(f"{n} ranks give the trajectories of one",
+        report.check(f"{tutorial}: {n} ranks give the trajectories of one",
                      error <= TOLERANCE, f"{error:.2e} of an object's size")
+
+
+def main(folder, steps):
+    """The checks of all."""
+    report = fsiCase.Report()
+    for tutorial in RUNS:
+        check(report, folder, tutorial, steps)
 
 
 if __name__ == "__main__":
