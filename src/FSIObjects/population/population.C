@@ -146,7 +146,7 @@ void Foam::fsi::population::wrap(const periodicImages& images)
                 group.positions().col(nDims_*copyi + d).array() -=
                     n[d]*images.period()[d];
             }
-            periods_(group.objectIds()[copyi]) += n;
+            periods_(group.objectIds()[copyi], labelVector::zero) += n;
         }
     }
 }

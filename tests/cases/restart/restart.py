@@ -4,11 +4,14 @@
 
     restart.py FOLDER
 
-A disc with a Kelvin-Voigt law, a star and a fixed disc in a driven cavity.
+A disc with a Kelvin-Voigt law, a star and a fixed disc in a driven cavity; red
+cells in a periodic channel, with a driving force.
 """
 
+import filecmp
 import math
 import os
+import re
 import sys
 
 import fsiCase
@@ -88,11 +91,45 @@ def compare(report, folder, name):
                  error <= TOLERANCE[name], f"nodes differ by {error:.2e}")
 
 
+def capillary(folder, name, ends):
+    """Runs the tutorial of the red cells to each end; the last state."""
+    case = fsiCase.tutorial("redCells", os.path.join(folder, name),
+                            startFrom="latestTime", writeInterval=0.005)
+    for end in ends:
+        fsiCase.set_entry(os.path.join(case, "system/controlDict"),
+                          "endTime", end)
+        fsiCase.run(case, "fsiPisoFoam")
+    return os.path.join(case, str(ends[-1]))
+
+
+def files(folder):
+    """All files below a folder, by their paths in it."""
+    return sorted(os.path.relpath(os.path.join(path, name), folder)
+                  for path, _, names in os.walk(folder) for name in names)
+
+
+def compare_capillaries(report, folder):
+    """All files of the last state, of cells that have crossed the seam."""
+    whole = capillary(folder, "capillary", (0.01,))
+    parts = capillary(folder, "capillaryInParts", (0.005, 0.01))
+    population = results.read(whole, "uniform", "fsiPopulation")
+    crossed = re.findall(r"(?m)^\d+ (\(.*\))$", population)
+    report.check("cells that crossed the seam did so once",
+                 len(crossed) > 0 and set(crossed) == {"(1 0 0)"}, crossed)
+    names = files(whole)
+    report.check("two states have the same files",
+                 names == files(parts), (names, files(parts)))
+    differ = filecmp.cmpfiles(whole, parts, names, shallow=False)[1:]
+    report.check("a restart of membranes is bitwise the same",
+                 differ == ([], []), differ)
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
     for name in TOLERANCE:
         compare(report, folder, name)
+    compare_capillaries(report, folder)
 
 
 if __name__ == "__main__":
