@@ -16,7 +16,8 @@ from paraview import simple
 
 
 def latest_time(folder):
-    """The largest name of a time folder, -1 without one."""
+    """The largest name of a time folder, -1 without one. (ParaView's reader
+    knows the times of one kind of case only.)"""
     latest = -1.0
     for path in glob.glob(os.path.join(folder, "[0-9]*")):
         try:

@@ -15,15 +15,11 @@ def nearest(times, time):
     return min(times, key=lambda t: abs(t - time), default=0.0)
 
 
-def latest_time(folder):
-    """The largest name of a time folder, -1 without one."""
-    latest = -1.0
-    for name in os.listdir(folder):
-        try:
-            latest = max(latest, float(name))
-        except ValueError:
-            pass
-    return latest
+def times_of(reader):
+    """The times that a reader of a case knows."""
+    values = reader.GetTimeValues()
+    count = values.GetNumberOfTuples() if values else 0
+    return [values.GetValue(i) for i in range(count)]
 
 
 class Series:
@@ -55,22 +51,22 @@ class Fluid:
     def __init__(self, case):
         self.times, self.reader, self.case = [], None, case
         self.controller = vtkDummyController()  # readers fail without one
-        rank = os.path.join(case, "processor0")
         self.has_mesh, rank_has_mesh = (
-            os.path.isdir(os.path.join(f, "constant/polyMesh"))
-            for f in (case, rank)
+            os.path.isdir(os.path.join(case, folder, "constant/polyMesh"))
+            for folder in ("", "processor0")
         )
-        if not self.has_mesh and not rank_has_mesh:
+        readers = [
+            self.open("internalMesh", in_parts)
+            for in_parts, there in ((False, self.has_mesh),
+                                    (True, rank_has_mesh)) if there
+        ]
+        if not readers:
             return
         # A parallel run that was not reconstructed yet is read in parts
-        in_parts = not self.has_mesh or (
-            rank_has_mesh and latest_time(rank) > latest_time(case))
-        self.reader = self.open("internalMesh", in_parts)
+        self.reader = max(readers, key=lambda reader: times_of(reader)[-1:])
         self.reader.EnableAllCellArrays()
         self.reader.CreateCellToPointOff()
-        values = self.reader.GetTimeValues()
-        count = values.GetNumberOfTuples() if values else 0
-        self.times = [values.GetValue(i) for i in range(count)]
+        self.times = times_of(self.reader)
 
     def open(self, part, in_parts):
         """A reader for a part of the mesh or a group of patches, of the whole

@@ -9,7 +9,7 @@ Foam::scalar Foam::fsi::overRelaxation::better(const scalar rate) const
     const scalar mu2 = sqr(rate + factor_ - 1)/(sqr(factor_)*rate);
     const scalar best =
         mu2 < 1 ? 2/(1 + Foam::sqrt(1 - mu2)) : scalar(largest_);
-    return min(best, max(smallest_, scalar(largest_)));
+    return min(best, scalar(largest_));
 }
 
 

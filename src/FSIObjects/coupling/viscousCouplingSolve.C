@@ -13,7 +13,7 @@ namespace fsi
 {
 
 //- Say so if the sweeps ended before the tolerance
-static void checkConverged(const solverPerformance& result)
+static void warnUnconverged(const solverPerformance& result)
 {
     if (!result.converged())
     {
@@ -132,7 +132,7 @@ void Foam::fsi::viscousCoupling::solve
         )
     );
     result.print(Info.masterStream(U.mesh().comm()));
-    checkConverged(result);
+    warnUnconverged(result);
 
     matrix_.get(U.primitiveFieldRef());
     U.correctBoundaryConditions();

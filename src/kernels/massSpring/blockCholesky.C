@@ -80,6 +80,7 @@ bool Foam::fsi::blockCholesky::factor
 {
     pattern_ = &pattern;
     values_ = values;
+    rows_.resize(2*pattern.size());
     for (label k = 0; k < pattern.size(); ++k)
     {
         if (!finishColumn(k))
@@ -95,13 +96,9 @@ void Foam::fsi::blockCholesky::solve(double* x) const
 {
     const label n = pattern_->size();
     const scalar* lower = values_.cdata() + 4*n;
-    std::vector<scalar> rows(2*n);
-    const auto row = [&](const label place) { return at(&rows[2*place]); };
+    const auto row = [&](const label place) { return at(&rows_[2*place]); };
 
-    for (label i = 0; i < n; ++i)
-    {
-        row(pattern_->place(i)) << x[i], x[n + i];
-    }
+    pattern_->toRows(x, rows_.data());
     for (label k = 0; k < n; ++k)
     {
         const scalar* d = values_.cdata() + 4*k;
@@ -128,11 +125,7 @@ void Foam::fsi::blockCholesky::solve(double* x) const
         const scalar b = row(k)[1] - second.sum();
         row(k) << d[0]*a + d[1]*b, d[3]*b;
     }
-    for (label i = 0; i < n; ++i)
-    {
-        x[i] = row(pattern_->place(i))[0];
-        x[n + i] = row(pattern_->place(i))[1];
-    }
+    pattern_->fromRows(rows_.cdata(), x);
 }
 
 

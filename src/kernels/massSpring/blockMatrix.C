@@ -44,11 +44,7 @@ void Foam::fsi::blockMatrix::multiply(const double* x, double* y) const
 {
     const label n = pattern_.size();
     std::vector<scalar> from(2*n), to(2*n, 0);
-    for (label i = 0; i < n; ++i)
-    {
-        from[2*pattern_.place(i)] = x[i];
-        from[2*pattern_.place(i) + 1] = x[n + i];
-    }
+    pattern_.toRows(x, from.data());
     for (label k = 0; k < n; ++k)
     {
         const scalar* p = from.data() + 2*k;
@@ -67,11 +63,7 @@ void Foam::fsi::blockMatrix::multiply(const double* x, double* y) const
             q[1] += a[2]*r[0] + a[3]*r[1];
         }
     }
-    for (label i = 0; i < n; ++i)
-    {
-        y[i] = to[2*pattern_.place(i)];
-        y[n + i] = to[2*pattern_.place(i) + 1];
-    }
+    pattern_.fromRows(to.data(), y);
 }
 
 

@@ -109,6 +109,28 @@ Foam::fsi::blockPattern::blockPattern(const label n, const entries& matrix)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::fsi::blockPattern::toRows(const double* x, scalar* rows) const
+{
+    const label n = size();
+    for (label i = 0; i < n; ++i)
+    {
+        rows[2*placeOf_[i]] = x[i];
+        rows[2*placeOf_[i] + 1] = x[n + i];
+    }
+}
+
+
+void Foam::fsi::blockPattern::fromRows(const scalar* rows, double* x) const
+{
+    const label n = size();
+    for (label i = 0; i < n; ++i)
+    {
+        x[i] = rows[2*placeOf_[i]];
+        x[n + i] = rows[2*placeOf_[i] + 1];
+    }
+}
+
+
 Foam::label Foam::fsi::blockPattern::find
 (
     const label row,

@@ -9,6 +9,7 @@ many pictures as were asked for; objects across a seam stand on both sides.
 import ast
 import os
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -111,11 +112,9 @@ def shear_box(case):
         stream.write(text.replace("(0.5 0.5 0)", "(0.02 0.5 0)"))
     fsiCase.run(case, "blockMesh")
     fsiCase.run(case, "seedObjects")
-    with open(os.path.join(case, "system/decomposeParDict"), "w",
-              encoding="ascii") as stream:
-        stream.write("FoamFile { version 2.0; format ascii; class dictionary; "
-                     "object decomposeParDict; } numberOfSubdomains 2; "
-                     "method simple; simpleCoeffs { n (2 1 1); delta 1e-3; }")
+    shutil.copy(os.path.join(MEMBRANES,
+                             "../redCells/system/decomposeParDict"),
+                os.path.join(case, "system"))
     fsiCase.run(case, "decomposePar")
     fsiCase.run(case, "fsiPisoFoam", ranks=2)
 

@@ -24,17 +24,32 @@ scalar rate(const scalar mu, const scalar omega)
 }
 
 
-//- Factor after some sweeps that converge at that rate
+//- Sweeps that each multiply the residual by rateOf(factor)
+template<class Rate>
+void sweep
+(
+    overRelaxation& relaxation,
+    const label nSweeps,
+    scalar& residual,
+    const Rate& rateOf
+)
+{
+    for (label i = 0; i < nSweeps; ++i)
+    {
+        relaxation.observe(residual);
+        residual *= rateOf(relaxation.factor());
+    }
+}
+
+
+//- Factor after some sweeps that converge at the rate of a spectral radius mu
 scalar factorAfter(const label nSweeps, const scalar mu, const scalar smallest)
 {
     overRelaxation relaxation;
     relaxation.start(smallest);
     scalar residual = 1;
-    for (label i = 0; i < nSweeps; ++i)
-    {
-        relaxation.observe(residual);
-        residual *= rate(mu, relaxation.factor());
-    }
+    const auto rateOf = [&](const scalar omega) { return rate(mu, omega); };
+    sweep(relaxation, nSweeps, residual, rateOf);
     return relaxation.factor();
 }
 
@@ -64,11 +79,8 @@ TEST(overRelaxation, doesNotBelieveABoundNearTwo)
     overRelaxation relaxation;
     relaxation.start(1.9993);
     scalar residual = 1;
-    for (label i = 0; i < 100; ++i)
-    {
-        relaxation.observe(residual);
-        residual *= rate(0.9, relaxation.factor());
-    }
+    const auto rateOf = [](const scalar omega) { return rate(0.9, omega); };
+    sweep(relaxation, 100, residual, rateOf);
     EXPECT_LT(residual, 1e-8);
 }
 
@@ -84,18 +96,10 @@ TEST(overRelaxation, comesBackFromAResidualThatGrows)
     overRelaxation relaxation;
     relaxation.start(1.2);
     scalar residual = 1;
-    for (label i = 0; i < 7; ++i)
-    {
-        relaxation.observe(residual);
-        residual *= 0.9;
-    }
+    sweep(relaxation, 7, residual, [](const scalar) { return 0.9; });
     const scalar large = relaxation.factor();
     EXPECT_GT(large, 1.3);
-    for (label i = 0; i < 40; ++i)
-    {
-        relaxation.observe(residual);
-        residual *= 1.2;
-    }
+    sweep(relaxation, 40, residual, [](const scalar) { return 1.2; });
     EXPECT_LT(relaxation.factor() - 1.2, 0.1*(large - 1.2));
 }
 
