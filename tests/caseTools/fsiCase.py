@@ -48,6 +48,8 @@ DEFAULTS = {
     "placements": "",
     "p_tolerance": 1e-7,
     "U_tolerance": 1e-8,
+    # Further entries of the solver of U
+    "U_controls": "",
 }
 
 CONTROLS = {
@@ -77,7 +79,7 @@ snGradSchemes { default orthogonal; }
 SOLUTION = """solvers
 {{
     p {{ solver PCG; preconditioner DIC; tolerance {}; relTol 0; }}
-    U {{ solver PBiCGStab; preconditioner DILU; tolerance {}; relTol 0; }}
+    U {{ solver PBiCGStab; preconditioner DILU; tolerance {}; relTol 0; {} }}
 }}
 PISO {{ nCorrectors 1; }}
 """
@@ -119,7 +121,8 @@ class Case:
                   f"placements\n{{\n{v['placements']}\n}}\n")
         self.file("system/fvSchemes", SCHEMES)
         self.file("system/fvSolution",
-                  SOLUTION.format(v["p_tolerance"], v["U_tolerance"]))
+                  SOLUTION.format(v["p_tolerance"], v["U_tolerance"],
+                                  v["U_controls"]))
 
     def is_cyclic(self, side):
         """True if the side is one half of a cyclic."""

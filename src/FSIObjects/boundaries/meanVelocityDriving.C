@@ -101,9 +101,9 @@ void Foam::fsi::meanVelocityDriving::update(const volVectorField& U)
     {
         resistance = acceleration_ - (mean - mean_)/time.deltaT0Value();
     }
-    acceleration_ =
-        resistance
-      + (target_ - mean)/max(relaxationTime_, time.deltaTValue());
+    // A step cut short by a write time does not have to make up for it all
+    const scalar step = max(time.deltaTValue(), time.deltaT0Value());
+    acceleration_ = resistance + (target_ - mean)/max(relaxationTime_, step);
     mean_ = mean;
     Info<< "Mean velocity " << mean_ << ", driving acceleration "
         << acceleration_ << endl;

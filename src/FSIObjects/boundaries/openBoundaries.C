@@ -78,6 +78,22 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
 }
 
 
+void Foam::fsi::openBoundaries::warnFeedingSide(const label sidei) const
+{
+    for (const objectFeed& feed : feeds_)
+    {
+        if (findIndex(sides_.patches(sidei), feed.patch()) >= 0)
+        {
+            WarningInFunction
+                << "Patch " << feed.patch() << " feeds objects: one that leaves"
+                << " through it has been pushed out by the flow." << nl
+                << "    Feed later (startTime), when the flow has settled"
+                << endl;
+        }
+    }
+}
+
+
 bool Foam::fsi::openBoundaries::removeObjects()
 {
     DynamicList<label> leaving;
@@ -90,9 +106,13 @@ bool Foam::fsi::openBoundaries::removeObjects()
             leaving.append(objecti);
             Info<< "Object " << objects_.objectId(objecti) << " of shape "
                 << objects_.shape(objects_.objectGroup(objecti)).name()
-                << " left through "
-                << flatOutput(sides_.patches(sidei)) << ", "
-                << removed_[sidei] << " so far" << endl;
+                << " left through";
+            for (const word& patch : sides_.patches(sidei))
+            {
+                Info<< " " << patch;
+            }
+            Info<< ", " << removed_[sidei] << " so far" << endl;
+            warnFeedingSide(sidei);
         }
     }
     if (leaving.size())

@@ -230,6 +230,19 @@ void Foam::fsi::colouredMatrix::set(const fvVectorMatrix& equation)
 }
 
 
+void Foam::fsi::colouredMatrix::restart(const vectorField& source)
+{
+    x_ = 0;
+    forAll(rowOf_, celli)
+    {
+        for (label d = 0; d < nDims_; ++d)
+        {
+            source_[nDims_*rowOf_[celli] + d] = source[celli][d];
+        }
+    }
+}
+
+
 void Foam::fsi::colouredMatrix::addToDiagonal
 (
     const label celli,
@@ -250,6 +263,18 @@ void Foam::fsi::colouredMatrix::get(vectorField& U) const
         for (label d = 0; d < nDims_; ++d)
         {
             U[celli][d] = x_[nDims_*rowOf_[celli] + d];
+        }
+    }
+}
+
+
+void Foam::fsi::colouredMatrix::addTo(vectorField& U) const
+{
+    forAll(rowOf_, celli)
+    {
+        for (label d = 0; d < nDims_; ++d)
+        {
+            U[celli][d] += x_[nDims_*rowOf_[celli] + d];
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "couplingModel.H"
+#include "findRefCell.H"
 #include "objectContact.H"
 #include "selection.H"
 
@@ -107,12 +108,16 @@ void Foam::fsi::couplingModel::solveFluidPressure
 ) const
 {
     fixInactive(p, pEqn);
-    const dictionary& pisoDict = p.mesh().solutionDict().subDict("PISO");
-    pEqn.setReference
-    (
-        pisoDict.lookupOrDefault<label>("pRefCell", 0),
-        pisoDict.lookupOrDefault<scalar>("pRefValue", 0)
-    );
+    dictionary controls(p.mesh().solutionDict().subDict("PISO"));
+    if (!controls.found("pRefCell") && !controls.found("pRefPoint"))
+    {
+        controls.add("pRefCell", 0);
+    }
+    controls.add("pRefValue", 0, false);
+    label cell = -1;
+    scalar value = 0;
+    setRefCell(p, controls, cell, value);
+    pEqn.setReference(cell, value);
     pEqn.solve();
 }
 
@@ -125,6 +130,18 @@ void Foam::fsi::couplingModel::renew()
     wallVelocity_ = system_.objects.surfaces().velocities();
     hydrodynamicForce_.setSize(wallVelocity_.size());
     hydrodynamicForce_ = Zero;
+}
+
+
+void Foam::fsi::couplingModel::correctVelocity
+(
+    volVectorField& U,
+    const volVectorField& last,
+    const volScalarField& p,
+    const scalar rAU
+)
+{
+    system_.fluid.correctVelocity(U, last, p, rAU, system_.viscosity);
 }
 
 

@@ -46,6 +46,7 @@ void Foam::fsi::noFluid::begin
     predictShared(system_.objects, time.value() - dt, dt, force, velocity_);
     constrainVolume(velocity_);
     contact(velocity_);
+    constrainVolume(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 }
 

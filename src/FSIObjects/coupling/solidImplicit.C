@@ -100,16 +100,31 @@ void Foam::fsi::solidImplicit::begin
     const scalar dt = system_.deltaT();
     const scalar time = p.time().value() - dt;
 
-    volScalarField last("last", p);
+    oldPressure_.reset
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                "lastPressure",
+                p.mesh().time().timeName(),
+                p.mesh(),
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            p
+        )
+    );
+    volScalarField& last = oldPressure_.ref();
     fillFilmCells(system_.geometry, last);
-    oldPressure_ = last.primitiveField();
     gradient_ = system_.fluid.openGradient(last);
     system_.walls.gradientForce(gradient_(), gradientForce_);
     gradientForce_ *= system_.fluidDensity;
     system_.fluid.extendGradient(gradient_.ref());
 
     vectorField nodal;
-    system_.walls.transpose(oldPressure_, nodal);
+    system_.walls.transpose(last.primitiveField(), nodal);
     groupNodal total;
     system_.objects.toGroups(system_.fluidDensity*nodal, total);
     addRigid(gradientForce_, total);
@@ -148,7 +163,10 @@ void Foam::fsi::solidImplicit::solvePressure
     tmp<fvScalarMatrix> pEqn(openLaplacian(geometry, p, rAU));
 
     // Walls' flux without the pressure
-    const scalarField last(system_.walls.atWalls(oldPressure_));
+    const scalarField last
+    (
+        system_.walls.atWalls(oldPressure_().primitiveField())
+    );
     vectorField oldPart;
     term_.velocity(last, oldPart);
     scalarField source(p.size());
@@ -170,6 +188,30 @@ void Foam::fsi::solidImplicit::solvePressure
         velocity_[groupi] += increment;
     }
     system_.objects.toSurface(velocity_, wallVelocity_);
+}
+
+
+void Foam::fsi::solidImplicit::correctVelocity
+(
+    volVectorField& U,
+    const volVectorField& last,
+    const volScalarField& p,
+    const scalar
+)
+{
+    const tmp<volVectorField> tgradient(system_.fluid.openGradient(p));
+    const vectorField& gradient = tgradient().primitiveField();
+    const boolList& fluid = system_.geometry.fluidCell();
+    const scalarField& V = U.mesh().V();
+    vectorField source(U.size(), Zero);
+    forAll(source, celli)
+    {
+        if (fluid[celli])
+        {
+            source[celli] = V[celli]*(last[celli] - gradient[celli]);
+        }
+    }
+    viscous_.addResponse(source, U);
 }
 
 

@@ -118,11 +118,12 @@ void Foam::fsi::solidImplicit::solveWithObjects
     ).print(Info.masterStream(p.mesh().comm()));
 
     // Inside the objects nothing is solved for
+    const scalarField& last = oldPressure_().primitiveField();
     forAll(active, celli)
     {
         if (!active[celli])
         {
-            p[celli] = oldPressure_[celli];
+            p[celli] = last[celli];
         }
     }
     p.correctBoundaryConditions();

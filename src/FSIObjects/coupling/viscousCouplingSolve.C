@@ -140,4 +140,25 @@ void Foam::fsi::viscousCoupling::solve
 }
 
 
+void Foam::fsi::viscousCoupling::addResponse
+(
+    const vectorField& source,
+    volVectorField& U
+)
+{
+    const dictionary& controls = U.mesh().solverDict(U.name());
+    const label maxIter = readAtLeast(controls, "responseMaxIter", 5, 1);
+    const scalar tolerance =
+        readPositive(controls, "responseTolerance", 0.05);
+
+    matrix_.restart(source);
+    const scalar enough = tolerance*matrix_.sourceNorm();
+    label nIterations = 0;
+    while (matrix_.sweep(1) > enough && ++nIterations < maxIter)
+    {}
+    matrix_.addTo(U.primitiveFieldRef());
+    U.correctBoundaryConditions();
+}
+
+
 // ************************************************************************* //

@@ -64,6 +64,7 @@ void Foam::fsi::weakCoupling::predict
     predictShared(system_.objects, time, dt, total, velocity_);
     constrainVolume(velocity_);
     contact(velocity_);
+    constrainVolume(velocity_);
 }
 
 
@@ -165,6 +166,7 @@ void Foam::fsi::weakCoupling::end
 )
 {
     limitContact(velocity_);
+    constrainVolume(velocity_);
 }
 
 

@@ -49,53 +49,75 @@ static scalar largestRate(const surfaceScalarField& phi)
 Foam::fsi::timeStep::timeStep(Time& time)
 :
     time_(time),
-    adjust_
-    (
-        time.controlDict().lookupOrDefault<Switch>("adjustTimeStep", false)
-    ),
-    maxCo_(readPositive(time.controlDict(), "maxCo", 0.5)),
-    maxDeltaT_
-    (
-        readPositive
-        (
-            time.controlDict(),
-            "maxDeltaT",
-            readPositive(time.controlDict(), "deltaT")
-        )
-    ),
-    maxDiffusion_(readNonNegative(time.controlDict(), "maxDiffusion", 0)),
     level_(-1),
     warned_(false)
-{}
+{
+    read();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::timeStep::read()
+{
+    const dictionary& controls = time_.controlDict();
+    const scalar maxDeltaT = readPositive
+    (
+        controls,
+        "maxDeltaT",
+        readPositive(controls, "deltaT")
+    );
+    if (level_ >= 0 && maxDeltaT != maxDeltaT_)
+    {
+        level_ = levelOf(maxDeltaT_*pow(2.0, -0.25*level_), maxDeltaT);
+    }
+    maxDeltaT_ = maxDeltaT;
+    adjust_ = controls.lookupOrDefault<Switch>("adjustTimeStep", false);
+    maxCo_ = readPositive(controls, "maxCo", 0.5);
+    maxDiffusion_ = readNonNegative(controls, "maxDiffusion", 0);
+}
+
+
+Foam::label Foam::fsi::timeStep::levelOf
+(
+    const scalar limit,
+    const scalar maxDeltaT
+)
+{
+    return
+        limit >= maxDeltaT
+      ? 0
+      : label(ceil(4*log(maxDeltaT/limit)/log(2.0) - 1e-9));
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
 {
-    // The first level at or below the limit
-    const label lowest =
-        limit >= maxDeltaT_
-      ? 0
-      : label(ceil(4*log(maxDeltaT_/limit)/log(2.0) - 1e-9));
-
-    // Up only if 10 % below the limit of the level above
-    if (level_ < 0 || lowest > level_)
+    const label lowest = levelOf(limit, maxDeltaT_);
+    const auto step = [&](const label k)
+    {
+        return maxDeltaT_*pow(2.0, -0.25*k);
+    };
+    if (level_ < 0)
+    {
+        // Of a flow that starts from rest the Courant number says nothing
+        const bool first = time_.timeIndex() == 0;
+        level_ =
+            first
+          ? max(lowest, levelOf(time_.deltaTValue(), maxDeltaT_))
+          : lowest;
+    }
+    else if (lowest > level_)
     {
         level_ = lowest;
     }
-    else
+    else if (level_ > lowest && step(level_ - 1) <= 0.9*limit)
     {
-        const auto step = [&](const label k)
-        {
-            return maxDeltaT_*pow(2.0, -0.25*k);
-        };
-        while (level_ > lowest && step(level_ - 1) <= 0.9*limit)
-        {
-            --level_;
-        }
+        --level_;
     }
-    return maxDeltaT_*pow(2.0, -0.25*level_);
+    return step(level_);
 }
 
 
@@ -105,6 +127,7 @@ void Foam::fsi::timeStep::adjust
     const fsiObjects& objects
 )
 {
+    read();
     const scalar dt = time_.deltaTValue();
     const scalar fluid = dt*largestRate(phi);
     const scalar solid = objects.courantNo();

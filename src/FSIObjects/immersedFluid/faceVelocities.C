@@ -20,12 +20,14 @@ void Foam::fsi::faceVelocities::setCutFaces
 
     // Not set on other patches, of which the empty ones are large
     scalarField onBoundary(mesh.nFaces() - nInternal);
+    boolList isSet(onBoundary.size());
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
         if (patch.coupled())
         {
-            SubList<scalar>(onBoundary, patch.size(), patch.start() - nInternal)
-                = Zero;
+            const label first = patch.start() - nInternal;
+            SubList<scalar>(onBoundary, patch.size(), first) = Zero;
+            SubList<bool>(isSet, patch.size(), first) = false;
         }
     }
     const auto set = [&](const label facei, const scalar along)
@@ -35,6 +37,7 @@ void Foam::fsi::faceVelocities::setCutFaces
         if (facei >= nInternal)
         {
             onBoundary[facei - nInternal] = value;
+            isSet[facei - nInternal] = true;
         }
         else if (what == wanted::velocity || open[facei] < 1)
         {
@@ -68,22 +71,26 @@ void Foam::fsi::faceVelocities::setCutFaces
           + 0.5*(v.increment(own, w.dir) + v.increment(nei, w.dir));
         set(w.face, internal ? value : 0.5*value);
     }
-    setCutPatchFaces(onBoundary, what, result);
+    setCutPatchFaces(onBoundary, isSet, what, result);
 }
 
 
 void Foam::fsi::faceVelocities::setCutPatchFaces
 (
     const scalarField& onBoundary,
+    const boolList& isSet,
     const wanted what,
     surfaceScalarField& result
 ) const
 {
     // The side of a coupled patch that holds the fluid cell tells the other,
-    // whose normal is the opposite. On a patch of the domain the velocity is
-    // the patch's own
+    // whose normal is the opposite. Where neither sets it, in a film between
+    // two solid cells, the face keeps its value. On a patch of the domain the
+    // velocity is the patch's own
     scalarList across;
+    boolList setAcross;
     swapCoupledFaces(result.mesh(), onBoundary, across);
+    swapCoupledFaces(result.mesh(), isSet, setAcross);
     const label nInternal = result.mesh().nInternalFaces();
     forAll(result.boundaryField(), patchi)
     {
@@ -94,13 +101,14 @@ void Foam::fsi::faceVelocities::setCutPatchFaces
             geometry_.openArea().boundaryField()[patchi];
         for (label i = 0; i < pr.size() && pr.coupled(); ++i)
         {
+            const label facei = pr.patch().start() + i - nInternal;
             if
             (
                 fluidFace[i] < 0.5
+             && (isSet[facei] || setAcross[facei])
              && (what == wanted::velocity || open[i] < 1)
             )
             {
-                const label facei = pr.patch().start() + i - nInternal;
                 pr[i] = onBoundary[facei] - across[facei];
             }
         }

@@ -51,7 +51,10 @@ Foam::fsi::immersedFluid::immersedFluid
         readChoice(dict, "convection", "wholeFace", {"wholeFace", "openPart"})
      == "wholeFace"
     )
-{}
+{
+    // Files of earlier versions do not say so
+    faceHistory_.setOriented();
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

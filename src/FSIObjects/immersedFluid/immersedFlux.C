@@ -25,6 +25,57 @@ Foam::scalarField Foam::fsi::immersedFluid::fadingInStep
 }
 
 
+void Foam::fsi::immersedFluid::fadeGradient
+(
+    const volVectorField& gradient,
+    const volScalarField& p,
+    const scalar viscosity,
+    surfaceScalarField& flux
+) const
+{
+    const cartesianMesh& grid = geometry_.grid();
+    const surfaceScalarField& open = geometry_.openArea();
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    const scalar h = grid.spacing();
+    const scalar deltaT = p.time().deltaTValue();
+    const scalar fading =
+        deltaT*viscosity*sqr(constant::mathematical::pi/h);
+    const scalar lost = grid.faceArea()*deltaT*fading/(1 + fading);
+
+    const labelUList& own = p.mesh().owner();
+    const labelUList& nei = p.mesh().neighbour();
+    forAll(flux, facei)
+    {
+        const direction d = grid.faceDirection(facei);
+        const scalar mean =
+            0.5*(gradient[own[facei]][d] + gradient[nei[facei]][d]);
+        const scalar difference =
+            (grid.faceAlong(facei) ? mean : -mean)
+          - (p[nei[facei]] - p[own[facei]])/h;
+        flux[facei] -= lost*open[facei]*fluidFace[facei]*difference;
+    }
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        if (pp.coupled())
+        {
+            const fvPatchVectorField& pg = gradient.boundaryField()[patchi];
+            const vectorField mean
+            (
+                0.5*(pg.patchInternalField() + pg.patchNeighbourField())
+            );
+            flux.boundaryFieldRef()[patchi] -=
+                lost*open.boundaryField()[patchi]
+               *fluidFace.boundaryField()[patchi]
+               *(
+                    (mean & pp.patch().nf())
+                  - pp.snGrad(pp.patch().deltaCoeffs())
+                );
+        }
+    }
+}
+
+
 Foam::scalar Foam::fsi::immersedFluid::kept
 (
     const scalar velocity,
@@ -52,13 +103,15 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
 (
     const volVectorField& U,
     const volVectorField& gradient,
-    const scalar rAU,
-    const vectorField& wallVelocity
+    const volScalarField& p,
+    const vectorField& wallVelocity,
+    const scalar viscosity
 ) const
 {
+    const scalar deltaT = U.time().deltaTValue();
     tmp<surfaceScalarField> tflux
     (
-        faces_.velocity({U, wallVelocity, &gradient, rAU})
+        faces_.velocity({U, wallVelocity, &gradient, deltaT})
     );
     surfaceScalarField& flux = tflux.ref();
     flux.rename("phiHbyA");
@@ -76,6 +129,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
         pf =
             (pf + faceHistory_.boundaryField()[patchi])
            *pf.patch().magSf()*open.boundaryField()[patchi];
+    }
+    if (history_ == history::fading)
+    {
+        fadeGradient(gradient, p, viscosity, flux);
     }
     return tflux;
 }

@@ -180,28 +180,16 @@ void Foam::fsi::immersedFluid::divideByWeights
 }
 
 
-Foam::scalarField Foam::fsi::immersedFluid::filmFriction
+Foam::scalarField Foam::fsi::immersedFluid::wallFriction
 (
-    const scalar rAU,
     const scalar viscosity
 ) const
 {
-    const UList<label>& films = geometry_.filmCells();
-    scalarField friction(films.size(), Zero);
-    if (films.empty())
-    {
-        return friction;
-    }
-
     const scalarField& volume = geometry_.grid().mesh().V();
+    scalarField friction(volume.size(), Zero);
     for (const wallLink& link : geometry_.wallLinks())
     {
-        const label film = findSortedIndex(films, link.cell);
-        if (film >= 0)
-        {
-            friction[film] +=
-                rAU*viscosity*link.conductance/volume[link.cell];
-        }
+        friction[link.cell] += viscosity*link.conductance/volume[link.cell];
     }
     return friction;
 }
@@ -254,20 +242,12 @@ void Foam::fsi::immersedFluid::correctVelocity
 {
     const tmp<volVectorField> tgradient(gradient(p));
     const vectorField& g = tgradient().primitiveField();
+    const scalarField friction(wallFriction(viscosity));
     vectorField& u = U.primitiveFieldRef();
     forAll(u, celli)
     {
-        u[celli] += rAU*(lastGradient[celli] - g[celli]);
-    }
-
-    const UList<label>& films = geometry_.filmCells();
-    const scalarField friction(filmFriction(rAU, viscosity));
-    forAll(films, i)
-    {
-        const label celli = films[i];
-        u[celli] -=
-            friction[i]/(1 + friction[i])
-           *rAU*(lastGradient[celli] - g[celli]);
+        const scalar step = rAU/(1 + rAU*friction[celli]);
+        u[celli] += step*(lastGradient[celli] - g[celli]);
     }
     U.correctBoundaryConditions();
 }

@@ -10,6 +10,7 @@
 #include "polygonPredicates.H"
 #include "unitConversion.H"
 
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -32,12 +33,35 @@ namespace Foam
 namespace fsi
 {
 
-//- False for an empty line and a heading
-static bool startsWithNumber(const std::string& line)
+//- Is any of the comma-separated fields a number? A heading has none
+static bool hasNumber(const std::string& line)
 {
-    const std::string::size_type i = line.find_first_not_of(" \t\r");
-    return i < line.size() && std::string("+-.0123456789").find(line[i])
-        != std::string::npos;
+    std::istringstream fields(line);
+    std::string field;
+    while (std::getline(fields, field, ','))
+    {
+        char* end = nullptr;
+        std::strtod(field.c_str(), &end);
+        if (end != field.c_str())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+//- Take x and y of a line; columns after them are allowed
+static bool readPoint(const std::string& line, point& p)
+{
+    std::istringstream values(line);
+    char comma = 0;
+    char after = ',';
+    p.z() = 0;
+    return
+        values >> p.x() >> comma >> p.y()
+     && comma == ','
+     && (!(values >> after) || after == ',');
 }
 
 
@@ -106,14 +130,12 @@ Foam::pointField Foam::fsi::polygon::readCsv
             line.erase(0, 3);
         }
         line = line.substr(0, line.find("#"));
-        std::istringstream values(line);
-        scalar x, y;
-        char comma;
-        if (values >> x >> comma >> y && comma == ',')
+        point p;
+        if (readPoint(line, p))
         {
-            points.append(point(x, y, 0));
+            points.append(p);
         }
-        else if (points.size() || startsWithNumber(line))
+        else if (points.size() || hasNumber(line))
         {
             if (line.find_first_not_of(" \t\r") >= line.size())
             {

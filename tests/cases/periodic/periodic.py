@@ -51,6 +51,7 @@ def box(folder, name, discs, shift=(0, 0), density=1.5, motion="",
             f"discs {{ type listed; shape disc; objects ({objects}); }}",
         "deltaT": 0.005, "endTime": 0.3, "writeInterval": 60,
         "writePrecision": 17, "p_tolerance": 1e-13, "U_tolerance": 1e-13,
+        "U_controls": "responseTolerance 1e-13; responseMaxIter 200;",
         **parameters,
     }
     return fsiCase.Case(os.path.join(folder, name.replace(" ", "-")),

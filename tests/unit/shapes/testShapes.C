@@ -229,6 +229,14 @@ TEST(badShape, polygonThatCannotBeUsedIsRefused)
     expectError(polygon + "\"broken.csv\";", {"file", "line 3"});
     rm(broken);
 
+    // Not taken for headings, and not for points
+    for (const string& first : {"O,0", "nan,0", "0,inf", "0,0;1"})
+    {
+        const fileName typo(fileOf("typo.csv", first + "\n1,0\n1,1\n0,1\n"));
+        expectError(polygon + "\"typo.csv\";", {"file", "line 1"});
+        rm(typo);
+    }
+
     const fileName text(fileOf("text.list", "no points here"));
     EXPECT_NE(errorOf(polygon + "\"text.list\";"), "");
     rm(text);

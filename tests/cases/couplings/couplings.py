@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Objects that collide keep their areas, with the couplings none and weak as
+well.
+
+    couplings.py FOLDER
+"""
+
+import os
+import sys
+
+import fsiCase
+import results
+
+SHAPES = """
+disc
+{{
+    shape {{ type circle; radius 0.15; }}
+    material {{ density {0}; E 100; }}
+}}
+membrane
+{{
+    shape {{ type circle; radius 0.15; }}
+    material
+    {{
+        type membrane;
+        density {0};
+        stretchingModulus 10;
+        bendingModulus 0.01;
+        innerViscosity 0.1;
+    }}
+}}
+"""
+PLACEMENTS = """
+a
+{{
+    type listed;
+    shape disc;
+    objects ({{ centre (0.3 0.5 0); velocity (2 0 0); }});
+}}
+b
+{{
+    type listed;
+    shape {0};
+    objects ({{ centre (0.7 0.52 0); velocity (-2 0 0); }});
+}}
+"""
+
+# Coupling, what the disc meets, density: weak is stable with heavy discs only
+RUNS = (("none", "membrane", 5), ("weak", "disc", 20))
+
+# Rounding; one correction per step leaves the square of a step's change
+TOLERANCE = 1e-9
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    for name, other, density in RUNS:
+        case = fsiCase.Case(
+            os.path.join(folder, name), shapes=SHAPES.format(density),
+            placements=PLACEMENTS.format(other),
+            properties=f"coupling {{ type {name}; }}\n"
+                       "output { objectsEvery 1; }\n",
+            deltaT=0.002, endTime=0.1, writeInterval=50).set_up()
+        case.run("fsiPisoFoam")
+        rows = results.table(case.path, "global.csv")
+        report.check(f"{name}: they touch",
+                     max(r["contacts"] for r in rows) > 0, "no contact")
+        change = max(abs(r["areaChange"]) for r in rows)
+        report.check(f"{name}: no area is lost", change < TOLERANCE,
+                     f"{change}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
