@@ -16,7 +16,7 @@ SHAPES = """
 disc
 {{
     shape {{ type circle; radius 0.15; }}
-    material {{ density {0}; E 100; }}
+    material {{ density {0}; E {1}; }}
 }}
 membrane
 {{
@@ -46,8 +46,9 @@ b
 }}
 """
 
-# Coupling, what the disc meets, density: weak is stable with heavy discs only
-RUNS = (("none", "membrane", 5), ("weak", "disc", 20))
+# Coupling, what the disc meets, density and modulus: weak is stable with heavy
+# and stiff discs only
+RUNS = (("none", "membrane", 5, 100), ("weak", "disc", 100, 1e5))
 
 # Rounding; one correction per step leaves the square of a step's change
 TOLERANCE = 1e-9
@@ -56,9 +57,9 @@ TOLERANCE = 1e-9
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
-    for name, other, density in RUNS:
+    for name, other, density, modulus in RUNS:
         case = fsiCase.Case(
-            os.path.join(folder, name), shapes=SHAPES.format(density),
+            os.path.join(folder, name), shapes=SHAPES.format(density, modulus),
             placements=PLACEMENTS.format(other),
             properties=f"coupling {{ type {name}; }}\n"
                        "output { objectsEvery 1; }\n",
