@@ -39,7 +39,7 @@ void Foam::fsi::immersedFluid::fadeGradient
     const scalar h = grid.spacing();
     const scalar deltaT = p.time().deltaTValue();
     const scalar fading =
-        deltaT*viscosity*sqr(constant::mathematical::pi/h);
+        deltaT*viscosity*4/sqr(h);
     const scalar lost = grid.faceArea()*deltaT*fading/(1 + fading);
 
     const labelUList& own = p.mesh().owner();

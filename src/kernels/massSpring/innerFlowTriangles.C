@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "innerFlow.H"
-#include "polygonPredicates.H"
 #include "triangulation.H"
 #include "error.H"
+
+#include <exception>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -34,16 +35,17 @@ bool Foam::fsi::innerFlow::renew
         points[i] = point(x(i, 0), x(i, 1), 0);
     }
     const pointField outline(SubList<point>(points, nBoundary));
-    if (!polygonPredicates::isSimple(outline))
+    List<bodyElement> renewed;
+    try
+    {
+        renewed = triangulation::triangulate(points, outline);
+    }
+    catch (const std::exception&)
     {
         FatalErrorInFunction
             << "The outline of the membrane about " << average(outline)
             << " crosses itself" << advice << exit(FatalError);
     }
-    const List<bodyElement> renewed
-    (
-        triangulation::triangulate(points, outline)
-    );
 
     // Triangles that cover the inside use all nodes: their number is fixed
     if (renewed.size() != triangles.size() || !(quality(renewed, x) > 0))

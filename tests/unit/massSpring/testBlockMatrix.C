@@ -203,4 +203,25 @@ TEST(blockMatrix, followsTheTrianglesOfTheFilling)
 }
 
 
+TEST(innerFlow, namesAMembraneThatCrossesItself)
+{
+    auto shape = membraneOf("0.1 0.06", typical);
+    auto group = cellOf(*shape);
+    List<bodyElement> triangles(group->triangles(0));
+
+    // Two opposite nodes of the outline change places
+    Eigen::MatrixXd x = group->positions();
+    x.row(0).swap(x.row(shape->nBoundaryNodes()/2));
+    try
+    {
+        innerFlow::renew(triangles, x, shape->nBoundaryNodes());
+        FAIL();
+    }
+    catch (const Foam::error& error)
+    {
+        EXPECT_NE(error.message().find("crosses itself"), string::npos);
+    }
+}
+
+
 // ************************************************************************* //
