@@ -144,7 +144,15 @@ Foam::scalar Foam::fsi::contact::readRange
     const scalar spacing
 )
 {
-    return readPositive(dict, "range", 3)*spacing;
+    const scalar cells = readPositive(dict, "range", 3);
+    if (cells < 0.01)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'range' in dictionary " << dict.name() << " is " << cells
+            << "; it is a number of mesh cells, at least 0.01. Without contact:"
+            << " law { type none; }" << exit(FatalIOError);
+    }
+    return cells*spacing;
 }
 
 

@@ -170,7 +170,11 @@ TEST(ContactLaw, badInput)
     {
         EXPECT_THROW(lawOf(text), Foam::IOerror) << text;
     }
-    for (const char* text : {"range 0;", "gap 1;", "minimumGap -1;"})
+    for
+    (
+        const char* text :
+        {"range 0;", "range 5e-7;", "gap 1;", "minimumGap -1;"}
+    )
     {
         EXPECT_THROW(contact(dictOf(text), 2, 0.1, 50), Foam::IOerror) << text;
     }
