@@ -98,7 +98,10 @@ TEST(colouredMatrix, solvesAndRespondsToAnotherSource)
         matrix.get(U.primitiveFieldRef());
         expectSolution(U, none);
 
+        const vectorField before(U.primitiveField());
         matrix.restart(source);
+        matrix.addTo(U.primitiveFieldRef());
+        EXPECT_EQ(U.primitiveField(), before);
         sweep();
         matrix.addTo(U.primitiveFieldRef());
         expectSolution(U, source);
