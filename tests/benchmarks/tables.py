@@ -94,10 +94,7 @@ class Tables:
     @staticmethod
     def decompose(case, ranks):
         """Slabs along the first direction."""
-        case.file("system/decomposeParDict",
-                  f"numberOfSubdomains {ranks};\nmethod simple;\n"
-                  f"simpleCoeffs {{ n ({ranks} 1 1); delta 0.001; }}\n")
-        case.run("decomposePar", "-force")
+        case.decompose(ranks, 1, options=["-force"])
 
     def write(self, name, rows):
         """RESULTS/name.csv; numbers with four digits."""

@@ -5,6 +5,7 @@ A case is a fsiCase.Case. Its keywords are those of DEFAULTS and of
 CONTROLS; values go into the dictionaries as they are.
 """
 
+import math
 import os
 import re
 import shutil
@@ -188,6 +189,15 @@ class Case:
         """Runs an application, log.NAME in the case; raises if it fails."""
         return run(self.path, *command, ranks=ranks, limit=limit,
                    seconds=self.seconds)
+
+    def decompose(self, *parts, options=()):
+        """Boxes of nx by ny ranks, (parts), by decomposePar."""
+        n = math.prod(parts)
+        self.file("system/decomposeParDict",
+                  f"numberOfSubdomains {n}; method simple; simpleCoeffs "
+                  f"{{ n ({' '.join(map(str, parts))} 1); delta 0.001; }}\n")
+        self.run("decomposePar", *options)
+        return n
 
     def set_up(self):
         """blockMesh and seedObjects."""

@@ -48,6 +48,11 @@ def read(*path):
         return stream.read()
 
 
+def field(case, time, name):
+    """Values of a field of the cells in an ascii file, flat."""
+    return numbers(read(case, time, name), "internalField")
+
+
 def state(case, time, rank=""):
     """Of each object id: shape, and the positions of all nodes, boundary nodes
     first, and the number of boundary nodes; rank is a folder processorN."""

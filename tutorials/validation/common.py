@@ -82,8 +82,7 @@ class Case(fsiCase.Case):
         nx, ny = coarse.values["cells"]
         for name, kind in (("U", "vector"), ("p", "scalar")):
             n = 3 if kind == "vector" else 1
-            flat = results.numbers(results.read(coarse.path, time, name),
-                                   "internalField")
+            flat = results.field(coarse.path, time, name)
             cells = [" ".join(map(repr, flat[n*i:n*i + n]))
                      for i in range(nx*ny)]
             fine = [cells[i//2 + nx*(j//2)]
@@ -117,8 +116,7 @@ class Field:
 
     def __init__(self, case, name, component=0, time=None):
         time = time or results.times(case.path)[-1]
-        flat = results.numbers(results.read(case.path, time, name),
-                               "internalField")
+        flat = results.field(case.path, time, name)
         self.nx, ny = case.values["cells"]
         stride = len(flat)//(self.nx*ny)
         self.values = flat[component::stride]

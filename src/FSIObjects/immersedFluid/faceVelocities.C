@@ -116,22 +116,9 @@ void Foam::fsi::faceVelocities::setCutPatchFaces
 }
 
 
-Foam::scalar Foam::fsi::faceVelocities::meanVelocity
-(
-    const vectorField& U,
-    const labelUList& own,
-    const labelUList& nei,
-    const label facei
-) const
-{
-    const cartesianMesh& grid = geometry_.grid();
-    const direction d = grid.faceDirection(facei);
-    const scalar mean = 0.5*(U[own[facei]][d] + U[nei[facei]][d]);
-    return grid.faceAlong(facei) ? mean : -mean;
-}
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-
-Foam::scalarField Foam::fsi::faceVelocities::patchVelocity
+Foam::scalarField Foam::fsi::faceVelocities::patchMean
 (
     const volVectorField& U,
     const label patchi
@@ -147,8 +134,6 @@ Foam::scalarField Foam::fsi::faceVelocities::patchVelocity
     return onPatch & pU.patch().nf();
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
 (
@@ -182,11 +167,11 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
     const labelUList& nei = mesh.neighbour();
     forAll(velocity, facei)
     {
-        velocity[facei] = meanVelocity(cells, own, nei, facei);
+        velocity[facei] = mean(cells, own, nei, facei);
     }
     forAll(velocity.boundaryField(), patchi)
     {
-        velocity.boundaryFieldRef()[patchi] = patchVelocity(sum(), patchi);
+        velocity.boundaryFieldRef()[patchi] = patchMean(sum(), patchi);
     }
     setCutFaces(v, wanted::velocity, velocity);
     return tvelocity;
@@ -210,7 +195,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::wholeFlux
     {
         if (open[facei] < 1)
         {
-            flux[facei] = area*meanVelocity(U, own, nei, facei);
+            flux[facei] = area*mean(U, own, nei, facei);
         }
     }
     forAll(flux.boundaryField(), patchi)
@@ -218,7 +203,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::wholeFlux
         fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
         if (pf.coupled())
         {
-            const scalarField whole(area*patchVelocity(U, patchi));
+            const scalarField whole(area*patchMean(U, patchi));
             forAll(pf, i)
             {
                 if (open.boundaryField()[patchi][i] < 1)

@@ -38,19 +38,15 @@ void Foam::fsi::immersedFluid::fadeGradient
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar h = grid.spacing();
     const scalar deltaT = p.time().deltaTValue();
-    const scalar fading =
-        deltaT*viscosity*4/sqr(h);
+    const scalar fading = deltaT*viscosity*4/sqr(h);
     const scalar lost = grid.faceArea()*deltaT*fading/(1 + fading);
 
     const labelUList& own = p.mesh().owner();
     const labelUList& nei = p.mesh().neighbour();
     forAll(flux, facei)
     {
-        const direction d = grid.faceDirection(facei);
-        const scalar mean =
-            0.5*(gradient[own[facei]][d] + gradient[nei[facei]][d]);
         const scalar difference =
-            (grid.faceAlong(facei) ? mean : -mean)
+            faces_.mean(gradient, own, nei, facei)
           - (p[nei[facei]] - p[own[facei]])/h;
         flux[facei] -= lost*open[facei]*fluidFace[facei]*difference;
     }
@@ -59,16 +55,11 @@ void Foam::fsi::immersedFluid::fadeGradient
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
         if (pp.coupled())
         {
-            const fvPatchVectorField& pg = gradient.boundaryField()[patchi];
-            const vectorField mean
-            (
-                0.5*(pg.patchInternalField() + pg.patchNeighbourField())
-            );
             flux.boundaryFieldRef()[patchi] -=
                 lost*open.boundaryField()[patchi]
                *fluidFace.boundaryField()[patchi]
                *(
-                    (mean & pp.patch().nf())
+                    faceVelocities::patchMean(gradient, patchi)
                   - pp.snGrad(pp.patch().deltaCoeffs())
                 );
         }

@@ -28,8 +28,7 @@ def solve(folder, n, properties):
     print(f"    CPU time {case.seconds['fsiPisoFoam']:.0f} s")
     fields = []
     for time in results.times(case.path)[-2:]:
-        flat = results.numbers(results.read(case.path, time, "U"),
-                               "internalField")
+        flat = results.field(case.path, time, "U")
         fields.append((float(time), flat[0::3], flat[1::3]))
     return fields
 

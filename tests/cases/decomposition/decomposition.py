@@ -30,21 +30,16 @@ box
 """
 
 
-def on_two_ranks(case, start=""):
+def on_two_ranks(case, *options):
     """Runs a case on two ranks, side by side in x, and puts it together."""
-    case.file("system/decomposeParDict", "numberOfSubdomains 2;"
-              " method simple; simpleCoeffs { n (2 1 1); delta 0.001; }\n")
-    case.run("decomposePar", *([start] if start else []))
-    case.run("fsiPisoFoam", ranks=2)
+    case.run("fsiPisoFoam", ranks=case.decompose(2, 1, options=options))
     case.run("reconstructPar", "-latestTime")
     return case
 
 
 def field(case, name):
     """Values at the last time."""
-    return results.numbers(
-        results.read(case.path, results.times(case.path)[-1], name),
-        "internalField")
+    return results.field(case.path, results.times(case.path)[-1], name)
 
 
 def difference(a, b):

@@ -30,9 +30,8 @@ MEAN, ROUGHER = 1e-3, 1.5
 
 def roughness(case, time):
     """Largest difference of a fluid cell from its neighbours' mean [m/s]."""
-    flat = results.numbers(results.read(case, time, "U"), "internalField")
-    distance = results.numbers(
-        results.read(case, time, "signedDistance"), "internalField")
+    flat = results.field(case, time, "U")
+    distance = results.field(case, time, "signedDistance")
     u = [(flat[3*i], flat[3*i + 1]) for i in range(NX*NY)]
     largest = 0
     for j in range(1, NY - 1):
@@ -63,9 +62,7 @@ def cavity(folder, viscosity, step):
         viscosity=viscosity, deltaT=step, endTime=1000*step,
         writeControl="timeStep", writeInterval=1000).set_up()
     case.run("fsiPisoFoam")
-    u = results.numbers(
-        results.read(case.path, results.times(case.path)[-1], "U"),
-        "internalField")
+    u = results.field(case.path, results.times(case.path)[-1], "U")
     n = round(math.sqrt(len(u)/3))
     return min(u[3*(n*j + n//2)] for j in range(n))
 

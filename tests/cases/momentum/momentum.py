@@ -37,8 +37,7 @@ class Fields:
         time = results.times(case.path)[-1]
 
         def numbers(name):
-            return results.numbers(results.read(case.path, time, name),
-                                   "internalField")
+            return results.field(case.path, time, name)
 
         self.nx, self.ny = case.values["cells"]
         self.h = case.spacing()

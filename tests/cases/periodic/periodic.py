@@ -64,12 +64,7 @@ def solve(*args, ranks=None, **parameters):
     if ranks is None:
         case.run("fsiPisoFoam")
         return case.path
-    n = ranks[0]*ranks[1]
-    case.file("system/decomposeParDict",
-              f"numberOfSubdomains {n}; method simple; "
-              f"simpleCoeffs {{ n ({ranks[0]} {ranks[1]} 1); delta 0.001; }}")
-    case.run("decomposePar")
-    case.run("fsiPisoFoam", ranks=n)
+    case.run("fsiPisoFoam", ranks=case.decompose(*ranks))
     return case.path
 
 
