@@ -94,6 +94,7 @@ int main(int argc, char *argv[])
         objects.finishStep(p, U);
 
         objects.write();
+        timeStep.write();
         runTime.write();
     }
 

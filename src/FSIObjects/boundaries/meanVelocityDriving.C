@@ -4,7 +4,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "domainSides.H"
-#include "localIOdictionary.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -72,14 +71,9 @@ Foam::fsi::meanVelocityDriving::meanVelocityDriving
         }
     }
 
-    IOobject io
-    (
-        "fsiDrivingForce", mesh.time().timeName(), "uniform", mesh.time(),
-        IOobject::MUST_READ, IOobject::NO_WRITE, false
-    );
-    if (io.typeHeaderOk<localIOdictionary>(false))
+    const dictionary state(readState(mesh.time(), "fsiDrivingForce"));
+    if (!state.empty())
     {
-        const localIOdictionary state(io);
         acceleration_ = state.get<scalar>("acceleration");
         mean_ = state.get<scalar>("meanVelocity");
     }

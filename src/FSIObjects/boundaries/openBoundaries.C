@@ -2,23 +2,13 @@
 
 #include "openBoundaries.H"
 #include "dictionaryCheck.H"
-#include "localIOdictionary.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::dictionary Foam::fsi::openBoundaries::state(const Time& time)
 {
-    IOobject io
-    (
-        "fsiBoundaries", time.timeName(), "uniform", time,
-        IOobject::MUST_READ, IOobject::NO_WRITE, false
-    );
-    if (!io.typeHeaderOk<localIOdictionary>(false))
-    {
-        return dictionary();
-    }
-    const localIOdictionary dict(io);
+    const dictionary dict(readState(time, "fsiBoundaries"));
     checkKeys(dict, {"FoamFile", "removed", "feed"});
     return dict;
 }

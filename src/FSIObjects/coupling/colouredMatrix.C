@@ -42,38 +42,37 @@ void Foam::fsi::colouredMatrix::setRows()
 
 Foam::label Foam::fsi::colouredMatrix::nextSlot
 (
-    labelList& used,
+    labelList& neighbourRow,
     const label celli,
-    const label neighbourRow
-)
+    const label row
+) const
 {
-    const label row = rowOf_[celli];
-    const label slot = nSlots_*row + used[row]++;
-    neighbourRow_[slot] = neighbourRow;
+    label slot = nSlots_*rowOf_[celli];
+    while (neighbourRow[slot] >= 0)
+    {
+        ++slot;
+    }
+    neighbourRow[slot] = row;
     return slot;
 }
 
 
-void Foam::fsi::colouredMatrix::setSlots()
+Foam::labelList Foam::fsi::colouredMatrix::setSlots()
 {
     const fvMesh& mesh = grid_.mesh();
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
     const label nCells = mesh.nCells();
 
-    neighbourRow_.setSize(nSlots_*nCells);
-    forAll(neighbourRow_, slot)
-    {
-        neighbourRow_[slot] = slot/nSlots_;
-    }
-
-    labelList used(nCells, Zero);
+    labelList neighbourRow(nSlots_*nCells, -1);
     ownerSlot_.setSize(own.size());
     neighbourSlot_.setSize(own.size());
     forAll(own, facei)
     {
-        ownerSlot_[facei] = nextSlot(used, own[facei], rowOf_[nei[facei]]);
-        neighbourSlot_[facei] = nextSlot(used, nei[facei], rowOf_[own[facei]]);
+        ownerSlot_[facei] =
+            nextSlot(neighbourRow, own[facei], rowOf_[nei[facei]]);
+        neighbourSlot_[facei] =
+            nextSlot(neighbourRow, nei[facei], rowOf_[own[facei]]);
     }
 
     label nRows = nCells;
@@ -104,7 +103,7 @@ void Foam::fsi::colouredMatrix::setSlots()
                     refCast<const cyclicPolyPatch>(patch)
                    .neighbPatch().faceCells()[i]
                 ];
-            patchSlot_[patchi][i] = nextSlot(used, cells[i], row);
+            patchSlot_[patchi][i] = nextSlot(neighbourRow, cells[i], row);
         }
     }
 
@@ -116,6 +115,8 @@ void Foam::fsi::colouredMatrix::setSlots()
     source_.setSize(nDims_*nCells);
     x_.setSize(nDims_*nRows);
     x_ = 0;
+
+    return neighbourRow;
 }
 
 
@@ -213,10 +214,11 @@ Foam::fsi::colouredMatrix::colouredMatrix(const cartesianMesh& grid)
     nDims_(grid.nDims()),
     nSlots_(2*grid.nDims()),
     nRed_(0),
+    nRedRuns_(0),
     relaxation_(1)
 {
     setRows();
-    setSlots();
+    setRuns(setSlots());
 }
 
 
@@ -227,19 +229,6 @@ void Foam::fsi::colouredMatrix::set(const fvVectorMatrix& equation)
     setCoefficients(equation);
     setDiagonal(equation);
     setRelaxation();
-}
-
-
-void Foam::fsi::colouredMatrix::restart(const vectorField& source)
-{
-    x_ = 0;
-    forAll(rowOf_, celli)
-    {
-        for (label d = 0; d < nDims_; ++d)
-        {
-            source_[nDims_*rowOf_[celli] + d] = source[celli][d];
-        }
-    }
 }
 
 

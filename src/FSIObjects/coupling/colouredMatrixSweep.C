@@ -4,6 +4,8 @@
 #include "processorPolyPatch.H"
 #include "PstreamBuffers.H"
 
+#include <numeric>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::colouredMatrix::exchange() const
@@ -62,46 +64,128 @@ void Foam::fsi::colouredMatrix::exchange() const
 }
 
 
-template<int nCmpts>
-Foam::scalar Foam::fsi::colouredMatrix::relax
+Foam::FixedList<Foam::label, 6> Foam::fsi::colouredMatrix::offsets
 (
-    const label first,
-    const label last,
+    const labelUList& neighbourRow,
+    const label row
+) const
+{
+    const label* neighbour = neighbourRow.cdata() + nSlots_*row;
+    FixedList<label, 6> offset(Zero);
+    for (label k = 0; k < nSlots_; ++k)
+    {
+        if (neighbour[k] >= 0)
+        {
+            offset[k] = neighbour[k] - row;
+        }
+        else if (k > 0)
+        {
+            offset[k] = offset[0];
+        }
+    }
+    return offset;
+}
+
+
+bool Foam::fsi::colouredMatrix::touchesOwnColour
+(
+    const FixedList<label, 6>& offset,
+    const label row
+) const
+{
+    for (label k = 0; k < nSlots_; ++k)
+    {
+        const label other = row + offset[k];
+        if (other < rowOf_.size() && (other < nRed_) == (row < nRed_))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::fsi::colouredMatrix::setRuns(const labelUList& neighbourRow)
+{
+    bool closed = true;
+    forAll(rowOf_, row)
+    {
+        const FixedList<label, 6> offset(offsets(neighbourRow, row));
+        const bool own = touchesOwnColour(offset, row);
+        if (closed || own || row == nRed_ || runs_.last().offset != offset)
+        {
+            if (row == nRed_)
+            {
+                nRedRuns_ = runs_.size();
+            }
+            runs_.append(run{row, row, offset});
+        }
+        runs_.last().last = row + 1;
+        closed = own;
+    }
+    if (nRed_ == rowOf_.size())
+    {
+        nRedRuns_ = runs_.size();
+    }
+    runs_.shrink();
+}
+
+
+template<int nCmpts>
+Foam::scalar Foam::fsi::colouredMatrix::relaxRuns
+(
+    const bool red,
     const scalar relaxation
 )
 {
-    const label* __restrict__ neighbour = neighbourRow_.cdata();
+    constexpr int nSlots = 2*nCmpts;
     const scalar* __restrict__ coefficient = coefficient_.cdata();
     const scalar* __restrict__ diagonal = diagonal_.cdata();
     const scalar* __restrict__ source = source_.cdata();
-    scalar* __restrict__ x = x_.data();
-    constexpr int nSlots = 2*nCmpts;
 
-    scalar squares = 0;
-    for (label row = first; row < last; ++row)
+    // Values of a run are written, those of its neighbours read
+    scalar* __restrict__ x = x_.data();
+    const scalar* __restrict__ other[nSlots];
+
+    scalar squares[nCmpts] = {};
+    const label end = red ? nRedRuns_ : runs_.size();
+    for (label runi = red ? 0 : nRedRuns_; runi < end; ++runi)
     {
-        scalar residual[nCmpts];
-        const label place = nCmpts*row;
-        for (int d = 0; d < nCmpts; ++d)
-        {
-            residual[d] = source[place + d] - diagonal[place + d]*x[place + d];
-        }
+        const run& rows = runs_[runi];
         for (int k = 0; k < nSlots; ++k)
         {
-            const scalar a = coefficient[nSlots*row + k];
-            const scalar* other = x + nCmpts*neighbour[nSlots*row + k];
+            other[k] = x_.cdata() + nCmpts*rows.offset[k];
+        }
+        for (label row = rows.first; row < rows.last; ++row)
+        {
             for (int d = 0; d < nCmpts; ++d)
             {
-                residual[d] -= a*other[d];
+                const label i = nCmpts*row + d;
+                scalar residual = source[i] - diagonal[i]*x[i];
+                for (int k = 0; k < nSlots; ++k)
+                {
+                    residual -= coefficient[nSlots*row + k]*other[k][i];
+                }
+                x[i] += relaxation*residual/diagonal[i];
+                squares[d] += residual*residual;
             }
         }
-        for (int d = 0; d < nCmpts; ++d)
-        {
-            x[place + d] += relaxation*residual[d]/diagonal[place + d];
-            squares += residual[d]*residual[d];
-        }
     }
-    return squares;
+    return std::accumulate(squares, squares + nCmpts, scalar(0));
+}
+
+
+Foam::scalar Foam::fsi::colouredMatrix::relax
+(
+    const bool red,
+    const scalar relaxation
+)
+{
+    exchange();
+    return
+        nDims_ == 2
+      ? relaxRuns<2>(red, relaxation)
+      : relaxRuns<3>(red, relaxation);
 }
 
 
@@ -109,17 +193,30 @@ Foam::scalar Foam::fsi::colouredMatrix::relax
 
 Foam::scalar Foam::fsi::colouredMatrix::sweep(const scalar relaxation)
 {
+    const scalar squares = relax(true, relaxation) + relax(false, relaxation);
+    return Foam::sqrt(returnReduce(squares, sumOp<scalar>()));
+}
+
+
+Foam::scalar Foam::fsi::colouredMatrix::sweepFromZero
+(
+    const vectorField& source
+)
+{
     scalar squares = 0;
-    for (const bool red : {true, false})
+    forAll(rowOf_, celli)
     {
-        exchange();
-        const label first = red ? 0 : nRed_;
-        const label last = red ? nRed_ : rowOf_.size();
-        squares +=
-            nDims_ == 2
-          ? relax<2>(first, last, relaxation)
-          : relax<3>(first, last, relaxation);
+        const bool red = rowOf_[celli] < nRed_;
+        const label place = nDims_*rowOf_[celli];
+        for (label d = 0; d < nDims_; ++d)
+        {
+            const scalar b = source[celli][d];
+            source_[place + d] = b;
+            x_[place + d] = red ? b/diagonal_[place + d] : 0;
+            squares += sqr(b);
+        }
     }
+    relax(false, 1);
     return Foam::sqrt(returnReduce(squares, sumOp<scalar>()));
 }
 

@@ -151,11 +151,18 @@ void Foam::fsi::viscousCoupling::addResponse
     const scalar tolerance =
         readPositive(controls, "responseTolerance", 0.05);
 
-    matrix_.restart(source);
-    const scalar enough = tolerance*matrix_.sourceNorm();
-    label nIterations = 0;
-    while (matrix_.sweep(1) > enough && ++nIterations < maxIter)
-    {}
+    // A sweep tells the residual before it; the next one falls as fast
+    const scalar norm = matrix_.sweepFromZero(source);
+    scalar before = norm;
+    for (label nSweeps = 1; nSweeps < maxIter; ++nSweeps)
+    {
+        const scalar residual = matrix_.sweep(1);
+        if (sqr(residual) <= tolerance*norm*before)
+        {
+            break;
+        }
+        before = residual;
+    }
     matrix_.addTo(U.primitiveFieldRef());
     U.correctBoundaryConditions();
 }

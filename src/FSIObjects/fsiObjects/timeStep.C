@@ -3,6 +3,7 @@
 #include "timeStep.H"
 #include "fsiObjects.H"
 #include "dictionaryCheck.H"
+#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -53,6 +54,11 @@ Foam::fsi::timeStep::timeStep(Time& time)
     warned_(false)
 {
     read();
+    const dictionary state(readState(time_, "fsiTimeStep"));
+    if (state.found("step"))
+    {
+        level_ = levelOf(state.get<scalar>("step"), maxDeltaT_);
+    }
 }
 
 
@@ -69,7 +75,7 @@ void Foam::fsi::timeStep::read()
     );
     if (level_ >= 0 && maxDeltaT != maxDeltaT_)
     {
-        level_ = levelOf(maxDeltaT_*pow(2.0, -0.25*level_), maxDeltaT);
+        level_ = levelOf(step(level_), maxDeltaT);
     }
     maxDeltaT_ = maxDeltaT;
     adjust_ = controls.lookupOrDefault<Switch>("adjustTimeStep", false);
@@ -91,15 +97,17 @@ Foam::label Foam::fsi::timeStep::levelOf
 }
 
 
+Foam::scalar Foam::fsi::timeStep::step(const label level) const
+{
+    return maxDeltaT_*pow(2.0, -0.25*level);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
 {
     const label lowest = levelOf(limit, maxDeltaT_);
-    const auto step = [&](const label k)
-    {
-        return maxDeltaT_*pow(2.0, -0.25*k);
-    };
     if (level_ < 0)
     {
         // Of a flow that starts from rest the Courant number says nothing
@@ -152,6 +160,25 @@ void Foam::fsi::timeStep::adjust
         time_.setDeltaT(choose(limit));
         Info<< "deltaT = " << time_.deltaTValue() << endl;
     }
+}
+
+
+void Foam::fsi::timeStep::write() const
+{
+    if (!time_.writeTime() || level_ < 0)
+    {
+        return;
+    }
+    writeFile
+    (
+        time_, time_.timeName(), "uniform", "fsiTimeStep", IOstream::ASCII,
+        [&](Ostream& os)
+        {
+            const label precision = os.precision(17);
+            os.writeEntry("step", step(level_));
+            os.precision(precision);
+        }
+    );
 }
 
 

@@ -74,10 +74,32 @@ void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
 }
 
 
+void Foam::fsi::immersedFluid::gradientWeights::divide
+(
+    vectorField& gradient,
+    const label nDims
+) const
+{
+    forAll(gradient, celli)
+    {
+        if (!isCut[celli])
+        {
+            gradient[celli] *= 0.5;
+            continue;
+        }
+        for (direction d = 0; d < nDims; ++d)
+        {
+            gradient[celli][d] /= max(sum[celli][d], SMALL);
+        }
+    }
+}
+
+
 void Foam::fsi::immersedFluid::sumFaceGradients
 (
     const volScalarField& p,
-    vectorField& sum
+    vectorField& sum,
+    gradientWeights& weights
 ) const
 {
     const fvMesh& mesh = p.mesh();
@@ -94,87 +116,42 @@ void Foam::fsi::immersedFluid::sumFaceGradients
         const scalar g = forwards*(p[nei[facei]] - p[own[facei]])*perSpacing;
         sum[own[facei]][d] += g;
         sum[nei[facei]][d] += g;
-    }
-    forAll(p.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pp = p.boundaryField()[patchi];
-        if (pp.coupled() || pp.fixesValue())
+        if (w < 1)
         {
-            const labelUList& cells = pp.patch().faceCells();
-            const scalarField gradients
-            (
-                pp.coupled()
-              ? pp.snGrad(pp.patch().deltaCoeffs())
-              : pp.snGrad()
-            );
-            forAll(cells, i)
-            {
-                const direction d =
-                    grid.faceDirection(pp.patch().start() + i);
-                const scalar w = open.boundaryField()[patchi][i];
-                sum[cells[i]][d] +=
-                    pp.patch().Sf()[i][d] > 0
-                  ? w*gradients[i]
-                  : -w*gradients[i];
-            }
+            weights.subtract(own[facei], d, 1 - w);
+            weights.subtract(nei[facei], d, 1 - w);
         }
     }
 }
 
 
-void Foam::fsi::immersedFluid::divideByWeights
+void Foam::fsi::immersedFluid::sumPatchGradients
 (
     const volScalarField& p,
-    vectorField& gradient
+    vectorField& sum,
+    gradientWeights& weights
 ) const
 {
-    const fvMesh& mesh = p.mesh();
     const cartesianMesh& grid = geometry_.grid();
-    const surfaceScalarField& open = geometry_.openArea();
-
-    // Weights are set in cells at walls only
-    boolList cut(mesh.nCells(), false);
-    vectorField weight(mesh.nCells());
-    const auto take = [&](const label facei, const label celli, const scalar w)
-    {
-        if (!cut[celli])
-        {
-            cut[celli] = true;
-            weight[celli] = vector::uniform(2);
-        }
-        weight[celli][grid.faceDirection(facei)] -= w;
-    };
-    const labelUList& own = mesh.owner();
-    const labelUList& nei = mesh.neighbour();
-    forAll(own, facei)
-    {
-        if (open[facei] < 1)
-        {
-            take(facei, own[facei], 1 - open[facei]);
-            take(facei, nei[facei], 1 - open[facei]);
-        }
-    }
     forAll(p.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
-        const bool counts = pp.coupled() || pp.fixesValue();
+        const scalarField& open = geometry_.openArea().boundaryField()[patchi];
         const labelUList& cells = pp.patch().faceCells();
+        const bool counts = pp.coupled() || pp.fixesValue();
+        const tmp<scalarField> tgradients
+        (
+            pp.coupled()
+          ? pp.snGrad(pp.patch().deltaCoeffs())
+          : pp.snGrad()
+        );
         forAll(pp, i)
         {
-            const scalar w = counts ? open.boundaryField()[patchi][i] : 0;
-            take(pp.patch().start() + i, cells[i], 1 - w);
-        }
-    }
-    forAll(gradient, celli)
-    {
-        if (!cut[celli])
-        {
-            gradient[celli] *= 0.5;
-            continue;
-        }
-        for (direction d = 0; d < grid.nDims(); ++d)
-        {
-            gradient[celli][d] /= max(weight[celli][d], SMALL);
+            const direction d = grid.faceDirection(pp.patch().start() + i);
+            const scalar w = counts ? open[i] : 0;
+            const scalar outwards = pp.patch().Sf()[i][d] > 0 ? w : -w;
+            sum[cells[i]][d] += outwards*tgradients()[i];
+            weights.subtract(cells[i], d, 1 - w);
         }
     }
 }
@@ -212,8 +189,11 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
         extrapolatedCalculatedFvPatchVectorField::typeName
     );
     volVectorField& gradient = tgradient.ref();
-    sumFaceGradients(p, gradient.primitiveFieldRef());
-    divideByWeights(p, gradient.primitiveFieldRef());
+    vectorField& sum = gradient.primitiveFieldRef();
+    gradientWeights weights(mesh.nCells());
+    sumFaceGradients(p, sum, weights);
+    sumPatchGradients(p, sum, weights);
+    weights.divide(sum, geometry_.grid().nDims());
     gradient.correctBoundaryConditions();
 
     return tgradient;

@@ -145,6 +145,7 @@ void Foam::fsi::stepTimer::report(Ostream& os) const
     };
 
     scalar other = totalSeconds_;
+    const label precision = os.precision(6);
     os  << nl << "Wall-clock time of " << nSteps_ << " steps" << nl
         << "    " << setw(10) << "part" << setw(14) << "seconds"
         << setw(14) << "percent" << setw(14) << "per step" << nl;
@@ -156,6 +157,7 @@ void Foam::fsi::stepTimer::report(Ostream& os) const
     line("other", other);
     line("all", totalSeconds_);
     os  << endl;
+    os.precision(precision);
 }
 
 
