@@ -12,6 +12,7 @@ import math
 import sys
 import time
 
+import budget
 import cavity
 import common
 import cylinder
@@ -21,8 +22,8 @@ import migration
 import softDisc
 
 CASES = {name: function
-         for module in (cavity, cylinder, discs, lubrication, migration,
-                        softDisc)
+         for module in (budget, cavity, cylinder, discs, lubrication,
+                        migration, softDisc)
          for name, function in module.CASES.items()}
 
 

@@ -89,6 +89,48 @@ void Foam::fsi::solidImplicit::addRigid
 }
 
 
+void Foam::fsi::solidImplicit::addResponse
+(
+    const groupNodal& force,
+    groupNodal& velocity
+) const
+{
+    forAll(force, groupi)
+    {
+        if (force[groupi].size())
+        {
+            Eigen::MatrixXd v(force[groupi].rows(), force[groupi].cols());
+            system_.objects.groups()[groupi].respond(force[groupi], v);
+            velocity[groupi] += v;
+        }
+    }
+}
+
+
+void Foam::fsi::solidImplicit::predict
+(
+    const scalar time,
+    groupNodal& load,
+    const groupNodal& force
+)
+{
+    groupNodal rest(load.size());
+    forAll(rest, groupi)
+    {
+        bodyGroup& group = system_.objects.groups()[groupi];
+        if (group.divisible())
+        {
+            rest[groupi] = group.splitLoad(load[groupi]);
+        }
+        load[groupi] += force[groupi];
+    }
+    addRigid(gradientForce_, load);
+    predictShared(system_.objects, time, system_.deltaT(), load, predicted_);
+    addResponse(rest, predicted_);
+    constrainVolume(predicted_);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::solidImplicit::begin
@@ -97,8 +139,7 @@ void Foam::fsi::solidImplicit::begin
     const volScalarField& p
 )
 {
-    const scalar dt = system_.deltaT();
-    const scalar time = p.time().value() - dt;
+    const scalar time = p.time().value() - system_.deltaT();
 
     oldPressure_.reset
     (
@@ -127,14 +168,7 @@ void Foam::fsi::solidImplicit::begin
     system_.walls.transpose(last.primitiveField(), nodal);
     groupNodal total;
     system_.objects.toGroups(system_.fluidDensity*nodal, total);
-    addRigid(gradientForce_, total);
-
-    forAll(total, groupi)
-    {
-        total[groupi] += force[groupi];
-    }
-    predictShared(system_.objects, time, dt, total, predicted_);
-    constrainVolume(predicted_);
+    predict(time, total, force);
     velocity_ = predicted_;
     system_.objects.toSurface(velocity_, wallVelocity_);
 }
@@ -181,12 +215,7 @@ void Foam::fsi::solidImplicit::solvePressure
     // Velocities of all nodes with the increment of the pressure
     groupNodal force;
     pressureForce(system_.walls.atWalls(p) - last, force);
-    forAll(force, groupi)
-    {
-        Eigen::MatrixXd increment(force[groupi].rows(), force[groupi].cols());
-        system_.objects.groups()[groupi].respond(force[groupi], increment);
-        velocity_[groupi] += increment;
-    }
+    addResponse(force, velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 }
 

@@ -12,6 +12,7 @@ void Foam::fsi::bodyGroup::resize(const label nCopies)
     const label nColumns = shape_.nDims()*nCopies;
     positions_.conservativeResize(shape_.nNodes(), nColumns);
     velocities_.conservativeResize(shape_.nNodes(), nColumns);
+    meanLoad_.conservativeResize(shape_.nBoundaryNodes(), nColumns);
     if (shape_.law().hasState())
     {
         springStates_.conservativeResize(shape_.springs().size(), nCopies);
@@ -85,6 +86,7 @@ Foam::label Foam::fsi::bodyGroup::append
     const label nDims = shape_.nDims();
     resize(copyi + 1);
     objectIds_[copyi] = objectId;
+    meanLoad_.rightCols(nDims).setZero();
     if (shape_.law().hasState())
     {
         springStates_.col(copyi).setZero();
@@ -114,6 +116,7 @@ void Foam::fsi::bodyGroup::remove(const label copyi)
             const label to = nDims*(next - 1) + i;
             positions_.col(to) = positions_.col(to + nDims);
             velocities_.col(to) = velocities_.col(to + nDims);
+            meanLoad_.col(to) = meanLoad_.col(to + nDims);
         }
         if (shape_.law().hasState())
         {
@@ -126,6 +129,18 @@ void Foam::fsi::bodyGroup::remove(const label copyi)
         objectIds_[next - 1] = objectIds_[next];
     }
     resize(size() - 1);
+}
+
+
+Eigen::MatrixXd Foam::fsi::bodyGroup::splitLoad(Eigen::MatrixXd& load)
+{
+    const auto boundary = load.topRows(meanLoad_.rows());
+    meanLoad_ += 0.25*(boundary - meanLoad_);
+
+    Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(load.rows(), load.cols());
+    rest.topRows(meanLoad_.rows()) = boundary - meanLoad_;
+    load -= rest;
+    return rest;
 }
 
 

@@ -117,6 +117,10 @@ void Foam::fsi::bodyGroup::write(Ostream& os) const
     objectIds_.writeEntry("objectIds", os);
     writeMatrix(os, "positions", positions_);
     writeMatrix(os, "velocities", velocities_);
+    if (divisible())
+    {
+        writeMatrix(os, "meanLoad", meanLoad_);
+    }
     if (shape_.law().hasState())
     {
         writeMatrix(os, "springStates", springStates_);
@@ -137,6 +141,11 @@ void Foam::fsi::bodyGroup::read(const dictionary& dict)
     objectIds_ = ids;
     readMatrix(dict, "positions", positions_);
     readMatrix(dict, "velocities", velocities_);
+    meanLoad_.setZero();
+    if (dict.found("meanLoad"))
+    {
+        readMatrix(dict, "meanLoad", meanLoad_);
+    }
     if (shape_.law().hasState())
     {
         readMatrix(dict, "springStates", springStates_);

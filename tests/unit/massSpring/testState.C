@@ -183,6 +183,45 @@ TEST(state, removedCopyLeavesTheOthers)
 }
 
 
+TEST(state, meanLoadFollowsItsCopy)
+{
+    auto shape = disc(rubber);
+    auto group = moving(*shape);
+    const Eigen::MatrixXd force = unevenForce(*group, 20);
+    const label nBoundary = shape->nBoundaryNodes();
+
+    // Nothing of a load is lost, and a steady one ends in the mean
+    Eigen::MatrixXd load = force;
+    const Eigen::MatrixXd rest = group->splitLoad(load);
+    EXPECT_LT((load + rest - force).cwiseAbs().maxCoeff(), 1e-12);
+    EXPECT_EQ(rest.topRows(nBoundary), 0.75*force.topRows(nBoundary));
+    EXPECT_EQ(rest.bottomRows(rest.rows() - nBoundary).norm(), 0);
+    for (label i = 0; i < 100; ++i)
+    {
+        load = force;
+        EXPECT_LE(group->splitLoad(load).norm(), 0.75*force.norm());
+    }
+    EXPECT_LT((load - force).norm(), 1e-10*force.norm());
+
+    for (const format fmt : {IOstream::ASCII, IOstream::BINARY})
+    {
+        auto restored = groupOf(*shape);
+        IStringStream is(written(*group, fmt), fmt);
+        restored->read(is);
+        restored->remove(1);
+        restored->append(point(5, 1, 0), tensor::I, Zero, Zero, 20);
+
+        Eigen::MatrixXd none = Eigen::MatrixXd::Zero(load.rows(), load.cols());
+        restored->splitLoad(none);
+        const auto expected = 0.75*load.topRows(nBoundary);
+        const auto found = none.topRows(nBoundary);
+        EXPECT_EQ(found.leftCols(2), expected.leftCols(2));
+        EXPECT_EQ(found.middleCols(2, 2), expected.rightCols(2));
+        EXPECT_EQ(found.rightCols(2).norm(), 0);
+    }
+}
+
+
 TEST(state, ofAnotherShapeIsRefused)
 {
     auto shape = disc(rubber);

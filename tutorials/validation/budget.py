@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What large steps and moving walls cost: the pressure of a flow that starts,
+and the momentum of a channel full of discs. No published figures: a steady
+value and a balance are the references."""
+
+import re
+
+import results
+from common import Case, Field, Row, disc, placed
+
+# A disc of 7 cells settles; density 2, steps of so many h^2/nu
+STARTS = ((5.76, 1e-3), (57.6, 1e-2), (576, 0.1))
+
+# Within this part of the steady speed it is there
+NEAR = 0.05
+
+
+def start():
+    """Steps until a disc that settles from rest without inertia keeps its
+    steady speed, which it would reach within a step."""
+    steady = None
+    for rate, step in STARTS:
+        case = Case(
+            f"start-{rate}", box=(0, 0, 1, 2), cells=(24, 48), viscosity=10,
+            gravity="(0 -0.01 0)", shapes=disc(0.15, "density 2; E 1e5;"),
+            placements=placed("disc", (0.5, 1.2)),
+            properties="output { objectsEvery 1; }",
+            deltaT=step, endTime=400*step, writeInterval=400*step)
+        minutes = case.solve()
+        speeds = [row["velocityY"] for row in case.objects()
+                  if row["time"] > 0]
+        if steady is None:
+            steady = speeds[-1]
+        far = [i for i, speed in enumerate(speeds, 1)
+               if abs(speed/steady - 1) > NEAR]
+        yield Row(f"disc starts to settle, dt nu/h^2 = {rate}, steps until "
+                  "within 5 % of its speed", "d/h = 7", None,
+                  far[-1] + 1 if far else 1, None, minutes)
+
+
+def wall_stress(case, time):
+    """Shear stress of both walls over the density, per unit of length, in a
+    channel that is cyclic in x."""
+    nx, ny = case.values["cells"]
+    u = Field(case, "U", 0, time).values
+    sums = sum(u[:nx]) + sum(u[nx*(ny - 1):])
+    return case.values["viscosity"]*sums/nx/(case.spacing()/2)
+
+
+def driving():
+    """Stress of the walls over what drives a channel with neutrally buoyant
+    discs on 30 % of the area, in the mean over the time from 2 to 6."""
+    for reynolds, cells in ((10, 40), (10, 80), (100, 40)):
+        case = Case(
+            f"driving{reynolds}-{cells}", box=(0, 0, 2, 1),
+            cells=(2*cells, cells), viscosity=1/reynolds, cyclic="x",
+            shapes=disc(0.1, "density 1; E 10;"),
+            placements="a { type packed; shape disc; areaFraction 0.3; "
+                       "wallGap 0.04; minimumGap 0.04; }",
+            properties="drivingForce { type meanVelocity; "
+                       "velocity (1 0 0); }",
+            deltaT=0.2/cells, endTime=6, writeInterval=0.1)
+        minutes = case.solve()
+        log = results.read(case.path, "log.fsiPisoFoam")
+        found = [float(x) for x in
+                 re.findall(r"driving acceleration ([-+.0-9e]+)", log)]
+        found = found[len(found)//3:]
+        times = [t for t in results.times(case.path) if float(t) >= 2]
+        stress = sum(wall_stress(case, t) for t in times)/len(times)
+        yield Row(f"channel with discs, Re {reynolds}, walls' stress over "
+                  "the driving force", f"d/h = {cells//5}", 1,
+                  stress*len(found)/sum(found), None, minutes,
+                  (f"driving {reynolds}", cells))
+
+
+CASES = {"start": start, "driving": driving}
