@@ -193,7 +193,8 @@ Foam::scalar Foam::fsi::colouredMatrix::relax
 
 Foam::scalar Foam::fsi::colouredMatrix::sweep(const scalar relaxation)
 {
-    const scalar squares = relax(true, relaxation) + relax(false, relaxation);
+    scalar squares = relax(true, relaxation);
+    squares += relax(false, relaxation);
     return Foam::sqrt(returnReduce(squares, sumOp<scalar>()));
 }
 
