@@ -112,10 +112,8 @@ void Foam::fsi::meanVelocityDriving::write() const
         time, time.timeName(), "uniform", "fsiDrivingForce", IOstream::ASCII,
         [&](Ostream& os)
         {
-            const label precision = os.precision(17);
             os.writeEntry("acceleration", acceleration_);
             os.writeEntry("meanVelocity", mean_);
-            os.precision(precision);
         }
     );
 }

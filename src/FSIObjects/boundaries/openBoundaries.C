@@ -188,7 +188,6 @@ void Foam::fsi::openBoundaries::write() const
         time, time.timeName(), "uniform", "fsiBoundaries", IOstream::ASCII,
         [&](Ostream& os)
         {
-            const label precision = os.precision(17);
             removed_.writeEntry("removed", os);
             os.beginBlock("feed");
             for (const objectFeed& feed : feeds_)
@@ -198,7 +197,6 @@ void Foam::fsi::openBoundaries::write() const
                 os.endBlock();
             }
             os.endBlock();
-            os.precision(precision);
         }
     );
 }

@@ -114,18 +114,14 @@ void Foam::fsi::colouredMatrix::setRuns(const labelUList& neighbourRow)
         const bool own = touchesOwnColour(offset, row);
         if (closed || own || row == nRed_ || runs_.last().offset != offset)
         {
-            if (row == nRed_)
-            {
-                nRedRuns_ = runs_.size();
-            }
             runs_.append(run{row, row, offset});
         }
         runs_.last().last = row + 1;
+        if (row < nRed_)
+        {
+            nRedRuns_ = runs_.size();
+        }
         closed = own;
-    }
-    if (nRed_ == rowOf_.size())
-    {
-        nRedRuns_ = runs_.size();
     }
     runs_.shrink();
 }

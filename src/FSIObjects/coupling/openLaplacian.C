@@ -48,6 +48,15 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::openLaplacian
 }
 
 
+Foam::tmp<Foam::scalarField> Foam::fsi::normalGradient
+(
+    const fvPatchScalarField& p
+)
+{
+    return p.coupled() ? p.snGrad(p.patch().deltaCoeffs()) : p.snGrad();
+}
+
+
 void Foam::fsi::subtractOutflow
 (
     const surfaceScalarField& flux,
@@ -92,14 +101,9 @@ void Foam::fsi::subtractGradient
     forAll(p.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
-        const tmp<scalarField> gradient
-        (
-            pp.coupled()
-          ? pp.snGrad(pp.patch().deltaCoeffs())
-          : pp.snGrad()
-        );
         flux.boundaryFieldRef()[patchi] -=
-            rAU*open.boundaryField()[patchi]*pp.patch().magSf()*gradient;
+            rAU*open.boundaryField()[patchi]*pp.patch().magSf()
+           *normalGradient(pp);
     }
 }
 

@@ -172,12 +172,7 @@ void Foam::fsi::timeStep::write() const
     writeFile
     (
         time_, time_.timeName(), "uniform", "fsiTimeStep", IOstream::ASCII,
-        [&](Ostream& os)
-        {
-            const label precision = os.precision(17);
-            os.writeEntry("step", step(level_));
-            os.precision(precision);
-        }
+        [&](Ostream& os) { os.writeEntry("step", step(level_)); }
     );
 }
 

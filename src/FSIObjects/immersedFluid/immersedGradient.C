@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "openLaplacian.H"
 #include "swapCoupledCells.H"
 #include "extrapolatedCalculatedFvPatchFields.H"
 
@@ -139,18 +140,18 @@ void Foam::fsi::immersedFluid::sumPatchGradients
         const scalarField& open = geometry_.openArea().boundaryField()[patchi];
         const labelUList& cells = pp.patch().faceCells();
         const bool counts = pp.coupled() || pp.fixesValue();
-        const tmp<scalarField> tgradients
+        const scalarField gradients
         (
-            pp.coupled()
-          ? pp.snGrad(pp.patch().deltaCoeffs())
-          : pp.snGrad()
+            counts
+          ? normalGradient(pp)
+          : tmp<scalarField>::New(pp.size(), Zero)
         );
         forAll(pp, i)
         {
             const direction d = grid.faceDirection(pp.patch().start() + i);
             const scalar w = counts ? open[i] : 0;
             const scalar outwards = pp.patch().Sf()[i][d] > 0 ? w : -w;
-            sum[cells[i]][d] += outwards*tgradients()[i];
+            sum[cells[i]][d] += outwards*gradients[i];
             weights.subtract(cells[i], d, 1 - w);
         }
     }

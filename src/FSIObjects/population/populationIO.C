@@ -117,7 +117,6 @@ void Foam::fsi::population::write() const
         time_, time_.timeName(), "uniform", "fsiPopulation", IOstream::ASCII,
         [&](Ostream& os)
         {
-            const label precision = os.precision(17);
             os.writeEntry("nDims", label(nDims_));
             os.writeEntry("planeZ", planeZ_);
             os.writeEntry("nextObjectId", nextObjectId_);
@@ -125,7 +124,6 @@ void Foam::fsi::population::write() const
             {
                 os.writeEntry("periods", periods_);
             }
-            os.precision(precision);
         }
     );
 
