@@ -55,9 +55,10 @@ Foam::fsi::timeStep::timeStep(Time& time)
 {
     read();
     const dictionary state(readState(time_, "fsiTimeStep"));
-    if (state.found("step"))
+    if (!state.empty())
     {
-        level_ = levelOf(state.get<scalar>("step"), maxDeltaT_);
+        checkKeys(state, {"FoamFile", "step"});
+        level_ = levelOf(readPositive(state, "step"), maxDeltaT_);
     }
 }
 
