@@ -190,6 +190,7 @@ Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
     setIndices();
     setFaceCorners();
     setFaceDirections();
+    setCoupledFaces();
 }
 
 
@@ -255,25 +256,6 @@ Foam::fsi::cartesianBlock Foam::fsi::cartesianMesh::corners() const
         n.z() = 1;
     }
     return cartesianBlock(first, spacing_, n, nDims_, start_);
-}
-
-
-Foam::label Foam::fsi::cartesianMesh::findCell(const point& p) const
-{
-    labelVector ijk(0, 0, 0);
-    for (direction dir = 0; dir < nDims_; ++dir)
-    {
-        ijk[dir] = label(floor((p[dir] - origin_[dir])/spacing_));
-        if (period_[dir] > 0)
-        {
-            // Modulus that is >= 0
-            const label n = globalN_[dir];
-            ijk[dir] = (ijk[dir] % n + n) % n;
-        }
-        ijk[dir] -= start_[dir];
-    }
-    const cartesianBlock block(cells());
-    return block.contains(ijk) ? cellAt_[block.index(ijk)] : -1;
 }
 
 

@@ -1,115 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectsConductance.H"
-#include "labelPair.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-using Foam::fsi::wallFace;
-
-//- The wall faces of each cell that has any: chains of its sides, 2 i at the
-//  lower cell of wall i and 2 i + 1 at the upper one
-class cellWalls
-{
-    const UList<wallFace>& walls_;
-
-    const Foam::fsi::wallOperator& operator_;
-
-    //- First side of each cell, and the next one of each side; -1: none
-    labelList first_;
-    labelList next_;
-
-    //- Place of a side's cell at walls, or -1
-    label place(const label side) const
-    {
-        const wallFace& w = walls_[side/2];
-        const label celli = side % 2 ? w.upper : w.lower;
-        return celli < 0 ? -1 : operator_.place(celli);
-    }
-
-public:
-
-    explicit cellWalls(const Foam::fsi::fsiSystem& system)
-    :
-        walls_(system.geometry.wallFaces()),
-        operator_(system.walls),
-        first_(system.walls.cells().size(), -1),
-        next_(2*walls_.size(), -1)
-    {
-        forAllReverse(next_, side)
-        {
-            const label at = place(side);
-            if (at >= 0)
-            {
-                next_[side] = first_[at];
-                first_[at] = side;
-            }
-        }
-    }
-
-    //- Call action(place of a cell, component of a node, value) for all
-    //  components that a cell's pressure acts on [m^2], once for each of them
-    template<class Action>
-    void forLoads(const Action& action) const
-    {
-        DynamicList<labelPair> places;
-        DynamicList<scalar> values;
-        forAll(next_, side)
-        {
-            const label at = place(side);
-            if (at < 0 || first_[at] != side)
-            {
-                continue;
-            }
-            places.clear();
-            values.clear();
-            for (label s = side; s >= 0; s = next_[s])
-            {
-                addSide(s, places, values);
-            }
-            forAll(places, i)
-            {
-                action(at, places[i], values[i]);
-            }
-        }
-    }
-
-private:
-
-    //- Add a side's loads, to those that are there already where possible
-    void addSide
-    (
-        const label side,
-        DynamicList<labelPair>& places,
-        DynamicList<scalar>& values
-    ) const
-    {
-        const wallFace& w = walls_[side/2];
-        const scalar area = side % 2 ? -w.area : w.area;
-        for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
-        {
-            const labelPair place(w.place.nodes[k], w.dir);
-            label i = 0;
-            while (i < places.size() && places[i] != place)
-            {
-                ++i;
-            }
-            if (i == places.size())
-            {
-                places.append(place);
-                values.append(0);
-            }
-            values[i] += area*w.place.weights[k];
-        }
-    }
-};
-
-} // End anonymous namespace
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -167,13 +58,16 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
         }
     }
 
-    cellWalls(system_).forLoads
-    (
-        [&](const label at, const labelPair& place, const scalar value)
+    for (const cellWall& w : system_.geometry.surfaceParts())
+    {
+        const vector squares(cmptMultiply(w.area, w.area));
+        for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
         {
-            d[at] += sqr(value)*mobility[place.first()][place.second()];
+            d[system_.walls.place(w.cell)] +=
+                sqr(w.place.weights[k])
+               *(squares & mobility[w.place.nodes[k]]);
         }
-    );
+    }
 }
 
 

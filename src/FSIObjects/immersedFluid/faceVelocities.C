@@ -18,18 +18,10 @@ void Foam::fsi::faceVelocities::setCutFaces
     const scalar scale =
         what == wanted::wholeFlux ? geometry_.grid().faceArea() : 1;
 
-    // Not set on other patches, of which the empty ones are large
-    scalarField onBoundary(mesh.nFaces() - nInternal);
-    boolList isSet(onBoundary.size());
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (patch.coupled())
-        {
-            const label first = patch.start() - nInternal;
-            SubList<scalar>(onBoundary, patch.size(), first) = Zero;
-            SubList<bool>(isSet, patch.size(), first) = false;
-        }
-    }
+    scalarField onBoundary;
+    boolList isSet;
+    setZeroOnCoupled(mesh, onBoundary);
+    setZeroOnCoupled(mesh, isSet);
     const auto set = [&](const label facei, const scalar along)
     {
         const scalar value =
@@ -135,7 +127,7 @@ Foam::scalarField Foam::fsi::faceVelocities::patchMean
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::middleVelocity
 (
     const sources& v
 ) const
@@ -174,6 +166,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
         velocity.boundaryFieldRef()[patchi] = patchMean(sum(), patchi);
     }
     setCutFaces(v, wanted::velocity, velocity);
+    return tvelocity;
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
+(
+    const sources& v
+) const
+{
+    tmp<surfaceScalarField> tvelocity(middleVelocity(v));
+    addOpenParts(v, tvelocity.ref());
     return tvelocity;
 }
 

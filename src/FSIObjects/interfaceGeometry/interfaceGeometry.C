@@ -191,6 +191,7 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
         grid.mesh(),
         dimensionedScalar("value", dimless, 0)
     ),
+    cellWalls_(grid.mesh().nCells()),
     openArea_
     (
         IOobject("openArea", grid.mesh().time().timeName(), grid.mesh()),
@@ -237,6 +238,8 @@ void Foam::fsi::interfaceGeometry::update
     setFilmCells(levelSet, first);
     setFields(levelSet);
     setWallFaces(levelSet, surfaces);
+    cellWalls_.update(surfaces, wallFaces_, wallOrigins_);
+    setOpenFaces(levelSet);
     setWallLinks(levelSet, surfaces);
     setInnerFaces();
     setOutsideWalls(levelSet, surfaces);

@@ -42,9 +42,14 @@ void Foam::fsi::interfaceGeometry::setOutsideWalls
             const label nearThere = levelSet.nearestFace()[there];
             if (nearHere >= 0 || nearThere >= 0)
             {
+                label found;
                 w.place = nearestPlace
                 (
-                    surfaces, mesh.faceCentres()[facei], nearHere, nearThere
+                    surfaces,
+                    mesh.faceCentres()[facei],
+                    nearHere,
+                    nearThere,
+                    found
                 );
             }
             else

@@ -7,49 +7,36 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fsi::surfacePlace Foam::fsi::interfaceGeometry::nearestPlace
+void Foam::fsi::interfaceGeometry::setCut
 (
-    const surfaceSet& surfaces,
-    const point& p,
-    const label faceA,
-    const label faceB
+    const scalarField& cornerDistance,
+    const cartesianBlock& corners,
+    const label facei,
+    wallOrigin& origin
 ) const
 {
-    surfacePlace place;
-    scalar nearest = GREAT;
-    FixedList<scalar, 3> weights;
-
-    for (const label facei : {faceA, faceB})
+    const FixedList<label, 4>& around = grid_.faceCorners(facei);
+    const label nCorners = grid_.nDims() == 2 ? 2 : 4;
+    const bool isOpen = openness_[facei] > 0 && openness_[facei] < 1;
+    label nCut = 0;
+    point sum(Zero);
+    for (label i = 0; i < nCorners && isOpen; ++i)
     {
-        if (facei < 0 || facei == place.face)
+        // In 2D the second edge is the first one
+        const label a = around[i];
+        const label b = around[(i + 1) % nCorners];
+        const scalar distanceA = cornerDistance[a];
+        const scalar distanceB = cornerDistance[b];
+        if ((distanceA > 0) != (distanceB > 0))
         {
-            continue;
-        }
-        const scalar distance =
-            magSqr(surfaces.nearestOnFace(facei, p, weights) - p);
-        if (distance < nearest)
-        {
-            nearest = distance;
-            place.face = facei;
-            place.weights = weights;
+            const scalar part = distanceA/(distanceA - distanceB);
+            sum += (1 - part)*corners.position(a) + part*corners.position(b);
+            ++nCut;
         }
     }
-
-    if (place.face < 0)
-    {
-        FatalErrorInFunction
-            << "No surface near the wall at " << p
-            << exit(FatalError);
-    }
-    // What is found on an image belongs to its original
-    place.nodes = surfaces.faces()[place.face];
-    for (label& nodei : place.nodes)
-    {
-        nodei = surfaces.originalNode(nodei);
-    }
-    place.object = surfaces.original(surfaces.faceObject()[place.face]);
-    place.face = surfaces.originalFace(place.face);
-    return place;
+    origin.cut = nCut > 0;
+    origin.middle =
+        origin.cut ? sum/nCut : point(grid_.mesh().faceCentres()[facei]);
 }
 
 
@@ -62,8 +49,10 @@ void Foam::fsi::interfaceGeometry::setWallFaces
     const fvMesh& mesh = grid_.mesh();
     const labelList& owner = mesh.faceOwner();
     const labelList& nearestFace = levelSet.nearestFace();
+    const cartesianBlock corners(grid_.corners());
 
     wallFaces_.clear();
+    wallOrigins_.clear();
     grid_.forFaces([&](const label facei)
     {
         const label own = owner[facei];
@@ -88,14 +77,19 @@ void Foam::fsi::interfaceGeometry::setWallFaces
         w.lower = lower >= 0 && activeCell_[lower] ? lower : -1;
         w.upper = upper >= 0 && activeCell_[upper] ? upper : -1;
         w.area = (1 - openness_[facei])*mag(mesh.faceAreas()[facei]);
+
+        wallOrigin origin;
+        setCut(levelSet.cornerDistance(), corners, facei, origin);
         w.place = nearestPlace
         (
             surfaces,
-            mesh.faceCentres()[facei],
+            origin.middle,
             nearestFace[haloIndex_[own]],
-            nearestFace[acrossFace(facei, dir)]
+            nearestFace[acrossFace(facei, dir)],
+            origin.surface
         );
         wallFaces_.append(w);
+        wallOrigins_.append(origin);
     });
 }
 
@@ -126,12 +120,14 @@ void Foam::fsi::interfaceGeometry::addWallLink
 
     point wallPoint(grid_.mesh().C()[celli]);
     wallPoint[dir] += sign*min(link.wallDistance, 1.0)*h;
+    label found;
     link.place = nearestPlace
     (
         surfaces,
         wallPoint,
         nearestFace[here],
-        nearestFace[there]
+        nearestFace[there],
+        found
     );
     wallLinks_.append(link);
 }

@@ -46,31 +46,28 @@ void Foam::fsi::wallOperator::setCells()
 
 void Foam::fsi::wallOperator::setEntries()
 {
-    for (DynamicList<entry>& entries : entries_)
-    {
-        entries.clear();
-    }
+    entries_.clear();
     setCells();
     perArea_.setSize(nObjects_);
     perArea_ = Zero;
-    for (const wallFace& w : geometry_.wallFaces())
+    for (const cellWall& w : geometry_.surfaceParts())
     {
-        perArea_[w.place.object] +=
-            w.area*(label(w.lower >= 0) + label(w.upper >= 0));
-        const sides kind = w.upper < 0 ? LOWER : w.lower < 0 ? UPPER : BOTH;
+        const scalar area = mag(w.area);
+        perArea_[w.place.object] += area;
         w.place.forPairs
         (
             [&](const label a, const scalar u, const label b, const scalar v)
             {
-                entries_[kind].append
+                entries_.append
                 ({
-                    w.lower < 0 ? -1 : place_[w.lower],
-                    w.upper < 0 ? -1 : place_[w.upper],
+                    place_[w.cell],
                     w.place.object,
-                    label(3*a + w.dir),
-                    label(3*b + w.dir),
-                    w.area*u,
-                    w.area*v
+                    a,
+                    b,
+                    u,
+                    v,
+                    area*(u + v),
+                    w.area
                 });
             }
         );

@@ -5,53 +5,6 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<Foam::fsi::wallOperator::sides Sides>
-void Foam::fsi::wallOperator::addTranspose
-(
-    const scalarField& p,
-    vectorField& force
-) const
-{
-    const UList<entry>& entries = entries_[Sides];
-    scalar* components = reinterpret_cast<scalar*>(force.begin());
-    for (const entry& w : entries)
-    {
-        const scalar lower = Sides != UPPER ? p[w.lower] : 0;
-        const scalar upper = Sides != LOWER ? p[w.upper] : 0;
-        components[w.placeA] += w.areaA*(lower - upper);
-        components[w.placeB] += w.areaB*(lower - upper);
-        meanPressure_[w.object] += (w.areaA + w.areaB)*(lower + upper);
-    }
-}
-
-
-template<Foam::fsi::wallOperator::sides Sides>
-void Foam::fsi::wallOperator::addFlux
-(
-    const scalarField& netPerArea,
-    const vectorField& v,
-    scalarField& Jv
-) const
-{
-    const UList<entry>& entries = entries_[Sides];
-    const scalar* components = reinterpret_cast<const scalar*>(v.cdata());
-    for (const entry& w : entries)
-    {
-        const scalar q =
-            w.areaA*components[w.placeA] + w.areaB*components[w.placeB];
-        const scalar spread = (w.areaA + w.areaB)*netPerArea[w.object];
-        if (Sides != UPPER)
-        {
-            Jv[w.lower] += q - spread;
-        }
-        if (Sides != LOWER)
-        {
-            Jv[w.upper] -= q + spread;
-        }
-    }
-}
-
-
 void Foam::fsi::wallOperator::transposeSums
 (
     const scalarField& p,
@@ -61,9 +14,13 @@ void Foam::fsi::wallOperator::transposeSums
     force.setSize(nNodes_);
     force = Zero;
     meanPressure_ = 0;
-    addTranspose<BOTH>(p, force);
-    addTranspose<LOWER>(p, force);
-    addTranspose<UPPER>(p, force);
+    for (const entry& w : entries_)
+    {
+        const vector load(p[w.cell]*w.area);
+        force[w.nodeA] += w.weightA*load;
+        force[w.nodeB] += w.weightB*load;
+        meanPressure_[w.object] += w.share*p[w.cell];
+    }
     meanPressure_ *= perArea_;
 
     if (Pstream::parRun())
@@ -94,9 +51,12 @@ void Foam::fsi::wallOperator::addFluxLess
 ) const
 {
     const scalarField netPerArea(net*perArea_);
-    addFlux<BOTH>(netPerArea, v, Jv);
-    addFlux<LOWER>(netPerArea, v, Jv);
-    addFlux<UPPER>(netPerArea, v, Jv);
+    for (const entry& w : entries_)
+    {
+        Jv[w.cell] +=
+            (w.area & (w.weightA*v[w.nodeA] + w.weightB*v[w.nodeB]))
+          - w.share*netPerArea[w.object];
+    }
 }
 
 

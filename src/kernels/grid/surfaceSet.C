@@ -145,6 +145,22 @@ Foam::point Foam::fsi::surfaceSet::nearestOnFace
 }
 
 
+Foam::label Foam::fsi::surfaceSet::nextFace
+(
+    const label facei,
+    const bool forwards
+) const
+{
+    const label objecti = faceObject_[facei];
+    const label start = faceStart_[objecti];
+    const label n = faceStart_[objecti + 1] - start;
+    const label next = start + (facei - start + (forwards ? 1 : n - 1)) % n;
+    const label first = forwards ? facei : next;
+    const label second = forwards ? next : facei;
+    return nDims_ == 2 && faces_[first][1] == faces_[second][0] ? next : -1;
+}
+
+
 Foam::vector Foam::fsi::surfaceSet::areaNormal(const label facei) const
 {
     const surfaceFace& f = faces_[facei];

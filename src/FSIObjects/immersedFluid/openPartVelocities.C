@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "faceVelocities.H"
+#include "swapCoupledCells.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::faceVelocities::beyondMiddle
+(
+    const sources& v,
+    const vectorList& across,
+    const openFace& o
+) const
+{
+    const fvMesh& mesh = v.U.mesh();
+    const wallFace& w = geometry_.wallFaces()[o.wall];
+    const bool internal = w.face < mesh.nInternalFaces();
+    const label cells[2] =
+    {
+        mesh.faceOwner()[w.face],
+        internal ? mesh.faceNeighbour()[w.face] : -1
+    };
+    scalar along = 0;
+    if (o.middleClosed)
+    {
+        along = (1 - o.beyond)*w.place.interpolate(v.wall, w.dir);
+        along *= internal ? 1 : 0.5;
+    }
+    for (label i = 0; i < 2 && cells[i] >= 0; ++i)
+    {
+        const label next = o.cells[i];
+        const vector& U = next < 0 ? across[-2 - next] : v.U[next];
+        along +=
+            0.5*o.beyond*U[w.dir]
+          + o.part()*o.increments[i]*v.increment(cells[i], w.dir);
+    }
+    return along;
+}
+
+
+void Foam::fsi::faceVelocities::addOpenParts
+(
+    const sources& v,
+    surfaceScalarField& result
+) const
+{
+    const fvMesh& mesh = v.U.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const bool coupled = geometry_.grid().coupled();
+    vectorList across;
+    scalarField onBoundary, share;
+    if (coupled)
+    {
+        swapCoupledCells(mesh, v.U.primitiveField(), across);
+        setZeroOnCoupled(mesh, onBoundary);
+        setZeroOnCoupled(mesh, share);
+    }
+    for (const openFace& o : geometry_.openFaces())
+    {
+        const label facei = geometry_.wallFaces()[o.wall].face;
+        const scalar along = beyondMiddle(v, across, o);
+        if (facei < nInternal)
+        {
+            result[facei] *= 1 - o.part();
+            result[facei] +=
+                geometry_.grid().faceAlong(facei) ? along : -along;
+        }
+        else
+        {
+            onBoundary[facei - nInternal] = along;
+            share[facei - nInternal] = o.part();
+        }
+    }
+    if (coupled)
+    {
+        addOpenPatchParts(onBoundary, share, result);
+    }
+}
+
+
+void Foam::fsi::faceVelocities::addOpenPatchParts
+(
+    const scalarField& along,
+    const scalarField& share,
+    surfaceScalarField& result
+) const
+{
+    scalarList across;
+    swapCoupledFaces(result.mesh(), along, across);
+    const label nInternal = result.mesh().nInternalFaces();
+    for (fvsPatchScalarField& pr : result.boundaryFieldRef())
+    {
+        for (label i = 0; i < pr.size() && pr.coupled(); ++i)
+        {
+            const label facei = pr.patch().start() + i;
+            const label place = facei - nInternal;
+            const scalar both = along[place] + across[place];
+            pr[i] *= 1 - share[place];
+            pr[i] += geometry_.grid().faceAlong(facei) ? both : -both;
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "surfacePlace.H"
+#include "surfaceSet.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- The nearest of the places tried so far
+struct nearestSoFar
+{
+    const Foam::fsi::surfaceSet& surfaces;
+    const point& p;
+    scalar distance = GREAT;
+    label face = -1;
+    FixedList<scalar, 3> weights;
+
+    //- Is a face nearer than the last ones?
+    bool take(const label facei)
+    {
+        FixedList<scalar, 3> there;
+        const scalar away =
+            magSqr(surfaces.nearestOnFace(facei, p, there) - p);
+        if (away >= distance)
+        {
+            return false;
+        }
+        distance = away;
+        face = facei;
+        weights = there;
+        return true;
+    }
+
+    //- Go on to the next faces of an outline while they are nearer
+    void walk(const bool forwards)
+    {
+        label next;
+        do
+        {
+            next =
+                weights[forwards ? 0 : 1] <= 0
+              ? surfaces.nextFace(face, forwards)
+              : -1;
+        }
+        while (next >= 0 && take(next));
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::fsi::surfacePlace Foam::fsi::nearestPlace
+(
+    const surfaceSet& surfaces,
+    const point& p,
+    const UList<label>& faces,
+    label& found
+)
+{
+    nearestSoFar nearest{surfaces, p};
+    for (const label facei : faces)
+    {
+        if (facei >= 0 && facei != nearest.face)
+        {
+            nearest.take(facei);
+        }
+    }
+    if (nearest.face < 0)
+    {
+        FatalErrorInFunction
+            << "No surface near the wall at " << p
+            << exit(FatalError);
+    }
+    nearest.walk(true);
+    nearest.walk(false);
+
+    surfacePlace place;
+    place.face = nearest.face;
+    place.weights = nearest.weights;
+    // What is found on an image belongs to its original
+    found = place.face;
+    place.nodes = surfaces.faces()[place.face];
+    for (label& nodei : place.nodes)
+    {
+        nodei = surfaces.originalNode(nodei);
+    }
+    place.object = surfaces.original(surfaces.faceObject()[place.face]);
+    place.face = surfaces.originalFace(place.face);
+    return place;
+}
+
+
+Foam::fsi::surfacePlace Foam::fsi::nearestPlace
+(
+    const surfaceSet& surfaces,
+    const point& p,
+    const label faceA,
+    const label faceB,
+    label& found
+)
+{
+    FixedList<label, 2> faces{faceA, faceB};
+    return nearestPlace(surfaces, p, UList<label>(faces.data(), 2), found);
+}
+
+
+// ************************************************************************* //
