@@ -109,8 +109,8 @@ scalar largestSource(const flow fluid, const flow wall, const direction split)
 
 TEST(cutCellFluxes, ofALinearVelocityAddUpToNothing)
 {
-    // One velocity for each wall face and for the middle of each face: 0.97
-    // for the strain, 0.5 for the rotation
+    // With a velocity for each wall face and those of the middles of open
+    // ones: about 1 for the strain, 0.1 for the rotation
     for (direction split = 0; split < 2; ++split)
     {
         EXPECT_LT(largestSource(strain, strain, split), 0.05);
@@ -121,7 +121,8 @@ TEST(cutCellFluxes, ofALinearVelocityAddUpToNothing)
 
 TEST(cutCellFluxes, ofAShearFlowAlongAWallAddUpToNothing)
 {
-    // The velocity in the middle of each face for all of its open part: 0.12
+    // With the velocity in the middle of each face for all of its open part:
+    // 0.12
     for (direction split = 0; split < 2; ++split)
     {
         EXPECT_LT(largestSource(shear, none, split), 0.04);
