@@ -94,6 +94,29 @@ Foam::fsi::viscousCoupling::groupModes() const
 }
 
 
+void Foam::fsi::viscousCoupling::updateTransposedStress()
+{
+    transposed_ = transposedModes(system_);
+    const std::vector<transposedMode> strains
+    (
+        transposed_.begin() + 1,
+        transposed_.end()
+    );
+    transposed_.resize(1);
+
+    const surfaceSet& surfaces = system_.objects.surfaces();
+    strainForce_.setSize(surfaces.points().size());
+    strainForce_ = Zero;
+    addTransposedForce
+    (
+        strains,
+        surfaces.pointStart(),
+        surfaces.velocities(),
+        strainForce_
+    );
+}
+
+
 void Foam::fsi::viscousCoupling::updateResponses
 (
     const fsiSystem::groupNodal& predicted
@@ -125,7 +148,7 @@ void Foam::fsi::viscousCoupling::updateResponses
     gatherLinks(copyLinks_);
     addShortWaves(system_, copyLinks_);
 
-    transposed_ = transposedModes(system_);
+    updateTransposedStress();
     const std::vector<viscousResponse::groupModes> modes(groupModes());
     responses_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
@@ -156,6 +179,7 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
     nodal_ = Zero;
     links_.addForce(system_.fluidDensity, nodal_);
     sumOverRanks(nodal_);
+    nodal_ += strainForce_;
     system_.toBoundary(nodal_, groupForce_);
     forAll(v, groupi)
     {

@@ -34,7 +34,8 @@ static void checkConverges(const solverPerformance& result)
             << "The velocity's sweeps diverge: residual "
             << result.finalResidual() << " after " << result.nIterations()
             << ". Take a smaller deltaT (Courant number below 1) or"
-            << " adjustTimeStep with maxCo" << exit(FatalError);
+            << " adjustTimeStep with maxCo; give very soft bodies a viscosity"
+            << " (material)" << exit(FatalError);
     }
 }
 
@@ -57,6 +58,7 @@ void Foam::fsi::viscousCoupling::finish
     addLinkForce(system_, U, nodalVelocity_, force);
     sumOverRanks(force);
     addShortWaveForce(system_, nodalVelocity_, force);
+    force += strainForce_;
     addTransposedForce
     (
         transposed_,

@@ -149,7 +149,8 @@ void Foam::fsi::fsiObjects::checkMotion() const
                 << " cells in one step, more than half of the domain, at time "
                 << mesh_.time().timeName() << nl
                 << "The run has lost its stability: take a smaller deltaT or "
-                << "adjustTimeStep with maxCo, and with coupling weak heavier "
+                << "adjustTimeStep with maxCo; give very soft bodies a "
+                << "viscosity (material), and with coupling weak take heavier "
                 << "or stiffer objects (doc/theory.md, section 5.3)"
                 << exit(FatalError);
         }

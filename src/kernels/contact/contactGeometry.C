@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactGeometry.H"
+#include "surfaceWinding.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -68,9 +69,12 @@ Foam::fsi::contactPair Foam::fsi::contactGeometry::pair
     p.weights = nearest.weights;
 
     // Pairs within an object face each other (inFront): where the surface is
-    // kinked the mean normal may say the opposite
-    const bool own = p.other == surfaces.pointObject()[nodei];
-    const scalar side = !own && (nearest.offset & outward) < 0 ? -1 : 1;
+    // kinked the mean normal may say the opposite, and so does that of a fold
+    const bool behind =
+        p.other != surfaces.pointObject()[nodei]
+     && (nearest.offset & outward) < 0
+     && contains(surfaces, p.other, surfaces.points()[nodei]);
+    const scalar side = behind ? -1 : 1;
     p.gap = side*distance;
     p.normal =
         distance > VSMALL

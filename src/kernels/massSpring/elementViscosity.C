@@ -32,8 +32,11 @@ static void addForceOfCopy
         cofactors << F[3] + 1, -F[2], -F[1], F[0] + 1;
         dF << rate[0], rate[1], rate[2], rate[3];
         const Eigen::Matrix2d gradient = dF*cofactors.transpose();
+        const scalar viscosity =
+            shape.viscosity()
+           *min(1.0, largestStretchSqr/cofactors.squaredNorm());
         const Eigen::Matrix2d P =
-            shape.viscosity()*domains.volumes()[domaini]
+            viscosity*domains.volumes()[domaini]
            *(gradient + gradient.transpose())*cofactors;
         domains.addForce
         (

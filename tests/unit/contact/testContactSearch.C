@@ -55,6 +55,30 @@ TEST(ContactSearch, gapIsNegativeInside)
 }
 
 
+TEST(ContactSearch, aFoldHasNoInsideInFrontOfIt)
+{
+    surfaceSet surfaces(foldedBar());
+    pointField x(circleNodes(0.1, 9));
+    x += vector(3.8, 0.5, 0);
+    surfaces.append(x, polygonFaces(9));
+
+    contactPairs found;
+    searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.5, found);
+    label nFound = 0;
+    for (const contactPair& p : found.pairs)
+    {
+        if (surfaces.pointObject()[p.node] == 1)
+        {
+            const scalar gap = surfaces.points()[p.node].x() - 3.5;
+            EXPECT_NEAR(p.gap, gap, 1e-12);
+            EXPECT_NEAR(mag(p.normal - vector(1, 0, 0)), 0, 1e-12);
+            ++nFound;
+        }
+    }
+    EXPECT_EQ(nFound, 9);
+}
+
+
 TEST(ContactSearch, kinksOfAnObjectHaveGapsInFront)
 {
     // Nodes thrown about the circle by a spacing: faces that face each other

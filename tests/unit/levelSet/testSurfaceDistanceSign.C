@@ -33,7 +33,7 @@ TEST(SurfaceDistanceSign, SignIsThatOfTheWindingNumberOnAwkwardPolygons)
             label containing = -1;
             for (label objecti = 0; objecti < surfaces.size(); ++objecti)
             {
-                if (windingNumber(surfaces, objecti, p) != 0)
+                if (turnsAround(surfaces, objecti, p) != 0)
                 {
                     containing = objecti;
                 }
@@ -71,7 +71,7 @@ TEST(SurfaceDistanceSign, ObjectsReachingOutOfTheBlockKeepTheirSign)
     {
         const point p(block.position(samplei));
         const bool inside =
-            windingNumber(surfaces, 0, p) || windingNumber(surfaces, 1, p);
+            turnsAround(surfaces, 0, p) || turnsAround(surfaces, 1, p);
         ASSERT_EQ(levelSet.distance()[samplei] < 0, inside);
         ASSERT_LT(levelSet.object()[samplei], 2);
     }
