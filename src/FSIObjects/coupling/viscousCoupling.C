@@ -74,26 +74,6 @@ Foam::fsi::viscousCoupling::viscousCoupling(const fsiSystem& system)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-std::vector<Foam::fsi::viscousResponse::groupModes>
-Foam::fsi::viscousCoupling::groupModes() const
-{
-    std::vector<viscousResponse::groupModes> groups
-    (
-        system_.objects.groups().size()
-    );
-    fsiSystem::groupNodal vectors;
-    for (const transposedMode& mode : transposed_)
-    {
-        system_.toBoundary(mode.vectors, vectors);
-        forAll(vectors, groupi)
-        {
-            groups[groupi].push_back({mode.sign, vectors[groupi]});
-        }
-    }
-    return groups;
-}
-
-
 void Foam::fsi::viscousCoupling::updateTransposedStress()
 {
     transposed_ = transposedModes(system_);
@@ -149,7 +129,8 @@ void Foam::fsi::viscousCoupling::updateResponses
     addShortWaves(system_, copyLinks_);
 
     updateTransposedStress();
-    const std::vector<viscousResponse::groupModes> modes(groupModes());
+    fsiSystem::groupNodal rotation;
+    system_.toBoundary(transposed_.front().vectors, rotation);
     responses_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
     {
@@ -166,7 +147,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         (
             system_.deltaT(),
             copyLinks_.data() + objects.objectIndex(groupi, 0),
-            modes[groupi],
+            rotation[groupi],
             predicted[groupi]
         );
     }

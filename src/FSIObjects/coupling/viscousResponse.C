@@ -65,7 +65,7 @@ void Foam::fsi::viscousResponse::addModes
 }
 
 
-void Foam::fsi::viscousResponse::makeWoodbury(const groupModes& transposed)
+void Foam::fsi::viscousResponse::makeWoodbury()
 {
     const label nModes(modes_.size());
     solved_.resize(nModes);
@@ -78,10 +78,7 @@ void Foam::fsi::viscousResponse::makeWoodbury(const groupModes& transposed)
     {
         modeMatrix inverse(modeMatrix::Zero(nModes, nModes));
         inverse.topLeftCorner<2, 2>() = deltaT_*added_[copyi].inverse();
-        for (label mode = 2; mode < nModes; ++mode)
-        {
-            inverse(mode, mode) = transposed[mode - 2].sign;
-        }
+        inverse(2, 2) = 1;
         for (label mode = 0; mode < nModes; ++mode)
         {
             inverse.col(mode) += project(solved_[mode], copyi, nModes);
@@ -110,21 +107,17 @@ void Foam::fsi::viscousResponse::update
 (
     const scalar dt,
     const std::vector<copyLink>* links,
-    const groupModes& transposed,
+    const Eigen::MatrixXd& rotation,
     const Eigen::MatrixXd& predicted
 )
 {
     deltaT_ = dt;
     start_ = predicted;
-    modes_.resize(2 + transposed.size());
-    for (label mode = 2; mode < label(modes_.size()); ++mode)
-    {
-        const Eigen::MatrixXd& t = transposed[mode - 2].vectors;
-        modes_[mode].setZero(nRows(), t.cols());
-        modes_[mode].topRows(t.rows()) = t;
-    }
+    modes_.resize(maxModes);
+    modes_[2].setZero(nRows(), rotation.cols());
+    modes_[2].topRows(rotation.rows()) = rotation;
     makeMatrices(links);
-    makeWoodbury(transposed);
+    makeWoodbury();
     makeSource();
 }
 

@@ -8,11 +8,7 @@ TEST(ContactSearch, cellsFindWhatBruteForceFinds)
     const surfaceSet surfaces(lattice(5, 20, 2.2));
     for (const scalar range : {0.25, 0.5, 1.3})
     {
-        contactPairs found;
-        searchOf("")->find
-        (
-            surfaces, UList<contactWall>(), noAxis, range, found
-        );
+        const contactPairs found(contactsOf(surfaces, range));
         EXPECT_GT(found.pairs.size(), 0);
         expectSame(found, bruteForce(surfaces, range));
     }
@@ -23,8 +19,7 @@ TEST(ContactSearch, cellsFindWhatBruteForceFindsInSpace)
 {
     const surfaceSet surfaces(octahedra(12));
     ASSERT_NEAR(surfaces.volume(0), 4.0/3, 1e-12);
-    contactPairs found;
-    searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.7, found);
+    const contactPairs found(contactsOf(surfaces, 0.7));
     EXPECT_GT(found.pairs.size(), 20);
     expectSame(found, bruteForce(surfaces, 0.7));
 }
@@ -38,8 +33,7 @@ TEST(ContactSearch, gapIsNegativeInside)
     x += vector(0.9, 0, 0);
     surfaces.append(x, polygonFaces(9));
 
-    contactPairs found;
-    searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.3, found);
+    const contactPairs found(contactsOf(surfaces, 0.3));
     label nInside = 0;
     for (const contactPair& p : found.pairs)
     {
@@ -62,8 +56,7 @@ TEST(ContactSearch, aFoldHasNoInsideInFrontOfIt)
     x += vector(3.8, 0.5, 0);
     surfaces.append(x, polygonFaces(9));
 
-    contactPairs found;
-    searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.5, found);
+    const contactPairs found(contactsOf(surfaces, 0.5));
     label nFound = 0;
     for (const contactPair& p : found.pairs)
     {
@@ -96,8 +89,7 @@ TEST(ContactSearch, kinksOfAnObjectHaveGapsInFront)
         }
         surfaceSet surfaces(2);
         surfaces.append(x, polygonFaces(n));
-        contactPairs found;
-        searchOf("")->find(surfaces, UList<contactWall>(), noAxis, 0.3, found);
+        const contactPairs found(contactsOf(surfaces, 0.3));
         for (const contactPair& p : found.pairs)
         {
             ++nPairs;
@@ -208,11 +200,7 @@ TEST(ContactSearch, selfContact)
     surfaceSet surfaces(2);
     surfaces.append(pointField(nodes), polygonFaces(nodes.size()));
 
-    contactPairs found;
-    searchOf("")->find
-    (
-        surfaces, UList<contactWall>(), noAxis, 0.3, found
-    );
+    const contactPairs found(contactsOf(surfaces, 0.3));
     EXPECT_GT(found.pairs.size(), 20);
     for (const contactPair& p : found.pairs)
     {
@@ -222,19 +210,11 @@ TEST(ContactSearch, selfContact)
         EXPECT_NEAR(p.gap, 0.2, 1e-9);
     }
 
-    searchOf("selfContact no;")->find
-    (
-        surfaces, UList<contactWall>(), noAxis, 0.3, found
-    );
-    EXPECT_EQ(found.pairs.size(), 0);
+    EXPECT_EQ(contactsOf(surfaces, 0.3, "selfContact no;").pairs.size(), 0);
 
     surfaceSet disc(2);
     disc.append(circleNodes(1, 30), polygonFaces(30));
-    searchOf("selfContact yes;")->find
-    (
-        disc, UList<contactWall>(), noAxis, 0.8, found
-    );
-    EXPECT_EQ(found.pairs.size(), 0);
+    EXPECT_EQ(contactsOf(disc, 0.8, "selfContact yes;").pairs.size(), 0);
 }
 
 
