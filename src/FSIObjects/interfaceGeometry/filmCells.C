@@ -98,6 +98,49 @@ bool Foam::fsi::interfaceGeometry::isNarrow
 }
 
 
+Foam::labelList Foam::fsi::interfaceGeometry::halfClosedCells()
+{
+    const polyMesh& mesh = grid_.mesh();
+    DynamicList<label> touched(nearFaces_.size());
+    const auto close = [&](const label celli, const scalar closed)
+    {
+        if (closedSides_[celli] == 0)
+        {
+            touched.append(celli);
+        }
+        closedSides_[celli] += closed;
+    };
+    for (const label facei : nearFaces_)
+    {
+        if (openness_[facei] < 1)
+        {
+            close(mesh.faceOwner()[facei], 1 - openness_[facei]);
+            if (mesh.isInternalFace(facei))
+            {
+                close(mesh.faceNeighbour()[facei], 1 - openness_[facei]);
+            }
+        }
+    }
+
+    // Of twice as many sides as there are dimensions
+    DynamicList<label> found;
+    for (const label celli : touched)
+    {
+        if
+        (
+            activeCell_[celli]
+         && closedSides_[celli] > grid_.nDims() - ROOTSMALL
+        )
+        {
+            found.append(celli);
+        }
+        closedSides_[celli] = 0;
+    }
+    sort(found);
+    return labelList(std::move(found));
+}
+
+
 void Foam::fsi::interfaceGeometry::setFilmCells
 (
     const levelSetUpdate& levelSet,
@@ -114,16 +157,14 @@ void Foam::fsi::interfaceGeometry::setFilmCells
     filmCells_.clear();
     const scalar diagonal =
         0.5*sqrt(scalar(grid_.nDims()))*grid_.spacing();
-    forAll(activeCell_, celli)
+    for (const label celli : halfClosedCells())
     {
-        // Half a diagonal from a surface all sides are open
         const label here = haloIndex_[celli];
         scalar change;
         bool atPatch;
         if
         (
-            activeCell_[celli]
-         && distance[here] < diagonal
+            distance[here] < diagonal
          && isNarrow(celli, change, atPatch)
          && (
                 atPatch

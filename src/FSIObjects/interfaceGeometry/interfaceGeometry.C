@@ -15,6 +15,10 @@ namespace fsi
 //- Faces open by less than this are closed
 static const scalar smallestOpenness = 1e-6;
 
+//- A face whose owner is farther from the surfaces, in cells, is open or closed
+//  as a whole, and so are those next to it: less than the band's least width
+static const scalar nearest = 2.5;
+
 //- Values per mesh face as a surface field; empty faces are left out
 static void setSurfaceField
 (
@@ -61,17 +65,20 @@ void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
     const scalarField& cellDistance = levelSet.cellDistance();
     const scalarField& cornerDistance = levelSet.cornerDistance();
     const label nCorners = grid_.nDims() == 2 ? 2 : 4;
+    const scalar reach = nearest*grid_.spacing();
 
+    nearFaces_.clear();
     grid_.forFaces([&](const label facei)
     {
-        const FixedList<label, 4>& corners = grid_.faceCorners(facei);
         const scalar inCell = cellDistance[haloIndex_[mesh.faceOwner()[facei]]];
-        if (mag(inCell) > 2*grid_.spacing())
+        if (mag(inCell) > reach)
         {
             // All corners are on the same side
             openness_[facei] = inCell > 0 ? 1 : 0;
             return;
         }
+        nearFaces_.append(facei);
+        const FixedList<label, 4>& corners = grid_.faceCorners(facei);
         FixedList<scalar, 4> distance(Zero);
         for (label i = 0; i < nCorners; ++i)
         {
@@ -101,44 +108,42 @@ void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
 
 void Foam::fsi::interfaceGeometry::setCells(const levelSetUpdate& levelSet)
 {
-    const fvMesh& mesh = grid_.mesh();
-    const labelList& owner = mesh.faceOwner();
-    const labelList& neighbour = mesh.faceNeighbour();
+    const polyMesh& mesh = grid_.mesh();
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const scalarField& distance = levelSet.cellDistance();
 
-    activeCell_ = false;
-    forAll(neighbour, facei)
+    // More than a cell's diagonal from the surfaces all sides are open
+    const scalar h = grid_.spacing();
+    forAll(activeCell_, celli)
     {
-        if (openness_[facei] > 0)
-        {
-            activeCell_[owner[facei]] = true;
-            activeCell_[neighbour[facei]] = true;
-        }
+        activeCell_[celli] = fluidCell_[celli] =
+            distance[haloIndex_[celli]] > h;
     }
-    for (const polyPatch& patch : mesh.boundaryMesh())
+    const auto activate = [&](const label celli)
     {
-        if (!patch.coupled())
+        activeCell_[celli] = true;
+        fluidCell_[celli] = distance[haloIndex_[celli]] > 0;
+    };
+    for (const label facei : nearFaces_)
+    {
+        const bool internal = mesh.isInternalFace(facei);
+        if
+        (
+            openness_[facei] > 0
+         && (internal || patches[patches.whichPatch(facei)].coupled())
+        )
         {
-            continue;
-        }
-        forAll(patch, i)
-        {
-            if (openness_[patch.start() + i] > 0)
+            activate(mesh.faceOwner()[facei]);
+            if (internal)
             {
-                activeCell_[owner[patch.start() + i]] = true;
+                activate(mesh.faceNeighbour()[facei]);
             }
         }
-    }
-
-    forAll(fluidCell_, celli)
-    {
-        fluidCell_[celli] =
-            activeCell_[celli]
-         && levelSet.cellDistance()[haloIndex_[celli]] > 0;
     }
 }
 
 
-void Foam::fsi::interfaceGeometry::setFields(const levelSetUpdate& levelSet)
+void Foam::fsi::interfaceGeometry::setFields(const boolList& across)
 {
     setSurfaceField(openArea_, openness_);
 
@@ -150,8 +155,6 @@ void Foam::fsi::interfaceGeometry::setFields(const levelSetUpdate& levelSet)
     {
         fluidFace_[facei] = fluidCell_[own[facei]] && fluidCell_[nei[facei]];
     }
-    boolList across;
-    swapCoupledCells(mesh, fluidCell_, across);
     for (fvsPatchScalarField& pf : fluidFace_.boundaryFieldRef())
     {
         const labelUList& cells = pf.patch().faceCells();
@@ -176,6 +179,7 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
     wall_(wall),
     haloIndex_(grid.mesh().nCells()),
     openness_(grid.mesh().nFaces(), 1),
+    closedSides_(grid.mesh().nCells(), 0),
     fluidCell_(grid.mesh().nCells(), true),
     activeCell_(grid.mesh().nCells(), true),
     filmChange_
@@ -236,12 +240,14 @@ void Foam::fsi::interfaceGeometry::update
     }
     setCells(levelSet);
     setFilmCells(levelSet, first);
-    setFields(levelSet);
+    boolList across;
+    swapCoupledCells(grid_.mesh(), fluidCell_, across);
+    setFields(across);
     setWallFaces(levelSet, surfaces);
     cellWalls_.update(surfaces, wallFaces_, wallOrigins_);
-    setOpenFaces(levelSet);
+    setOpenFaces(levelSet, across);
     setWallLinks(levelSet, surfaces);
-    setInnerFaces();
+    setInnerFaces(across);
     setOutsideWalls(levelSet, surfaces);
 }
 

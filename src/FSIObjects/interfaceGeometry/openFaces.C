@@ -2,7 +2,6 @@
 
 #include "interfaceGeometry.H"
 #include "levelSetUpdate.H"
-#include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -60,13 +59,15 @@ Foam::direction Foam::fsi::interfaceGeometry::openDirection
 }
 
 
-void Foam::fsi::interfaceGeometry::setOpenFaces(const levelSetUpdate& levelSet)
+void Foam::fsi::interfaceGeometry::setOpenFaces
+(
+    const levelSetUpdate& levelSet,
+    const boolList& across
+)
 {
     const fvMesh& mesh = grid_.mesh();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const cartesianBlock corners(grid_.corners());
-    boolList across;
-    swapCoupledCells(mesh, fluidCell_, across);
     openFaces_.clear();
     forAll(wallFaces_, walli)
     {

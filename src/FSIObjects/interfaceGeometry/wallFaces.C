@@ -3,7 +3,6 @@
 #include "interfaceGeometry.H"
 #include "wallTreatment.H"
 #include "levelSetUpdate.H"
-#include "syncTools.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -53,7 +52,7 @@ void Foam::fsi::interfaceGeometry::setWallFaces
 
     wallFaces_.clear();
     wallOrigins_.clear();
-    grid_.forFaces([&](const label facei)
+    for (const label facei : nearFaces_)
     {
         const label own = owner[facei];
         const bool internal = facei < mesh.nInternalFaces();
@@ -63,7 +62,7 @@ void Foam::fsi::interfaceGeometry::setWallFaces
 
         if (openness_[facei] >= 1 || !(ownActive || neiActive))
         {
-            return;
+            continue;
         }
 
         const direction dir = grid_.faceDirection(facei);
@@ -90,7 +89,7 @@ void Foam::fsi::interfaceGeometry::setWallFaces
         );
         wallFaces_.append(w);
         wallOrigins_.append(origin);
-    });
+    }
 }
 
 
@@ -152,14 +151,14 @@ void Foam::fsi::interfaceGeometry::setWallLinks
     };
 
     wallLinks_.clear();
-    grid_.forFaces([&](const label facei)
+    for (const label facei : nearFaces_)
     {
         const label own = mesh.faceOwner()[facei];
         const bool internal = facei < mesh.nInternalFaces();
         const label nei = internal ? mesh.faceNeighbour()[facei] : -1;
         if (internal && fluidCell_[own] == fluidCell_[nei])
         {
-            return;
+            continue;
         }
         const direction dir = grid_.faceDirection(facei);
         const label sign = grid_.faceAlong(facei) ? 1 : -1;
@@ -187,31 +186,27 @@ void Foam::fsi::interfaceGeometry::setWallLinks
                 addLink(facei, own, dir, sign);
             }
         }
-    });
+    }
 }
 
 
-void Foam::fsi::interfaceGeometry::setInnerFaces()
+void Foam::fsi::interfaceGeometry::setInnerFaces(const boolList& across)
 {
     const fvMesh& mesh = grid_.mesh();
-
-    // Across a coupled patch a link is known to its cell's rank
-    boolList linked(mesh.nFaces(), false);
-    for (const wallLink& link : wallLinks_)
-    {
-        linked[link.face] = true;
-    }
-    syncTools::syncFaceList(mesh, linked, orEqOp<bool>());
-
     innerFaces_.clear();
     forAll(wallFaces_, i)
     {
         const label facei = wallFaces_[i].face;
+        const label inBoundary = facei - mesh.nInternalFaces();
+        const bool otherFluid =
+            inBoundary < 0
+          ? fluidCell_[mesh.faceNeighbour()[facei]]
+          : across[inBoundary];
         if
         (
             openness_[facei] > 0
          && !fluidCell_[mesh.faceOwner()[facei]]
-         && !linked[facei]
+         && !otherFluid
         )
         {
             innerFaces_.append(i);
