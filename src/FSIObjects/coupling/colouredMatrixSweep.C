@@ -3,8 +3,103 @@
 #include "colouredMatrix.H"
 #include "processorPolyPatch.H"
 #include "PstreamBuffers.H"
+#include "vectorClones.H"
 
-#include <numeric>
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Rows that follow each other, and what they are relaxed with
+struct relaxedRows
+{
+    const scalar* coefficient;
+    const scalar* diagonal;
+    const scalar* source;
+    scalar* x;
+    scalar relaxation;
+};
+
+
+//- Relax rows first to last - 1, whose neighbours are at offsets; sum of the
+//  squared residuals before
+template<int nCmpts>
+FSI_INLINE scalar relaxRun
+(
+    const relaxedRows& rows,
+    const label first,
+    const label last,
+    const label* offset
+)
+{
+    constexpr int nSlots = 2*nCmpts;
+    const scalar* __restrict__ coefficient = rows.coefficient;
+    const scalar* __restrict__ diagonal = rows.diagonal;
+    const scalar* __restrict__ source = rows.source;
+    const scalar relaxation = rows.relaxation;
+
+    // Values of a run are written, those of its neighbours read
+    scalar* __restrict__ x = rows.x;
+    const scalar* __restrict__ other[nSlots];
+    for (int k = 0; k < nSlots; ++k)
+    {
+        other[k] = rows.x + nCmpts*offset[k];
+    }
+
+    scalar squares[nCmpts] = {};
+    for (label row = first; row < last; ++row)
+    {
+        for (int d = 0; d < nCmpts; ++d)
+        {
+            const label i = nCmpts*row + d;
+            scalar residual = source[i] - diagonal[i]*x[i];
+            for (int k = 0; k < nSlots; ++k)
+            {
+                residual -= coefficient[nSlots*row + k]*other[k][i];
+            }
+            x[i] += relaxation*residual/diagonal[i];
+            squares[d] += residual*residual;
+        }
+    }
+    scalar sum = 0;
+    for (int d = 0; d < nCmpts; ++d)
+    {
+        sum += squares[d];
+    }
+    return sum;
+}
+
+
+FSI_AVX2_CLONES
+scalar relaxRun2D
+(
+    const relaxedRows& rows,
+    const label first,
+    const label last,
+    const label* offset
+)
+{
+    return relaxRun<2>(rows, first, last, offset);
+}
+
+
+FSI_AVX2_CLONES
+scalar relaxRun3D
+(
+    const relaxedRows& rows,
+    const label first,
+    const label last,
+    const label* offset
+)
+{
+    return relaxRun<3>(rows, first, last, offset);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -127,50 +222,6 @@ void Foam::fsi::colouredMatrix::setRuns(const labelUList& neighbourRow)
 }
 
 
-template<int nCmpts>
-Foam::scalar Foam::fsi::colouredMatrix::relaxRuns
-(
-    const bool red,
-    const scalar relaxation
-)
-{
-    constexpr int nSlots = 2*nCmpts;
-    const scalar* __restrict__ coefficient = coefficient_.cdata();
-    const scalar* __restrict__ diagonal = diagonal_.cdata();
-    const scalar* __restrict__ source = source_.cdata();
-
-    // Values of a run are written, those of its neighbours read
-    scalar* __restrict__ x = x_.data();
-    const scalar* __restrict__ other[nSlots];
-
-    scalar squares[nCmpts] = {};
-    const label end = red ? nRedRuns_ : runs_.size();
-    for (label runi = red ? 0 : nRedRuns_; runi < end; ++runi)
-    {
-        const run& rows = runs_[runi];
-        for (int k = 0; k < nSlots; ++k)
-        {
-            other[k] = x_.cdata() + nCmpts*rows.offset[k];
-        }
-        for (label row = rows.first; row < rows.last; ++row)
-        {
-            for (int d = 0; d < nCmpts; ++d)
-            {
-                const label i = nCmpts*row + d;
-                scalar residual = source[i] - diagonal[i]*x[i];
-                for (int k = 0; k < nSlots; ++k)
-                {
-                    residual -= coefficient[nSlots*row + k]*other[k][i];
-                }
-                x[i] += relaxation*residual/diagonal[i];
-                squares[d] += residual*residual;
-            }
-        }
-    }
-    return std::accumulate(squares, squares + nCmpts, scalar(0));
-}
-
-
 Foam::scalar Foam::fsi::colouredMatrix::relax
 (
     const bool red,
@@ -178,10 +229,23 @@ Foam::scalar Foam::fsi::colouredMatrix::relax
 )
 {
     exchange();
-    return
-        nDims_ == 2
-      ? relaxRuns<2>(red, relaxation)
-      : relaxRuns<3>(red, relaxation);
+    const relaxedRows rows
+    {
+        coefficient_.cdata(),
+        diagonal_.cdata(),
+        source_.cdata(),
+        x_.data(),
+        relaxation
+    };
+    const auto relaxRows = nDims_ == 2 ? relaxRun2D : relaxRun3D;
+    const label end = red ? nRedRuns_ : runs_.size();
+    scalar squares = 0;
+    for (label runi = red ? 0 : nRedRuns_; runi < end; ++runi)
+    {
+        const run& r = runs_[runi];
+        squares += relaxRows(rows, r.first, r.last, r.offset.cdata());
+    }
+    return squares;
 }
 
 
