@@ -72,29 +72,21 @@ FSI_INLINE scalar relaxRun
 }
 
 
+//- The same for a number of components
 FSI_AVX2_CLONES
-scalar relaxRun2D
+scalar relaxRun
 (
+    const label nCmpts,
     const relaxedRows& rows,
     const label first,
     const label last,
     const label* offset
 )
 {
-    return relaxRun<2>(rows, first, last, offset);
-}
-
-
-FSI_AVX2_CLONES
-scalar relaxRun3D
-(
-    const relaxedRows& rows,
-    const label first,
-    const label last,
-    const label* offset
-)
-{
-    return relaxRun<3>(rows, first, last, offset);
+    return
+        nCmpts == 2
+      ? relaxRun<2>(rows, first, last, offset)
+      : relaxRun<3>(rows, first, last, offset);
 }
 
 } // End namespace fsi
@@ -237,13 +229,13 @@ Foam::scalar Foam::fsi::colouredMatrix::relax
         x_.data(),
         relaxation
     };
-    const auto relaxRows = nDims_ == 2 ? relaxRun2D : relaxRun3D;
     const label end = red ? nRedRuns_ : runs_.size();
     scalar squares = 0;
     for (label runi = red ? 0 : nRedRuns_; runi < end; ++runi)
     {
         const run& r = runs_[runi];
-        squares += relaxRows(rows, r.first, r.last, r.offset.cdata());
+        squares +=
+            relaxRun(nDims_, rows, r.first, r.last, r.offset.cdata());
     }
     return squares;
 }
