@@ -2,6 +2,8 @@
 
 #include "laneResponse.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::laneResponse::laneResponse(const bodyGroup& group)
@@ -107,14 +109,15 @@ void Foam::fsi::laneResponse::solveMatrices
     const label n = b.rows();
 
     x.resize(n, b.cols());
-    rows_.setSize(lanes*nDims*n);
+    const label nValues = lanes*nDims*n;
+    rows_.resize(nValues);
     for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
     {
         const label first = nDims*lanes*blocki;
         const label nColumns = min(nDims*lanes, label(b.cols()) - first);
         if (nColumns < nDims*lanes)
         {
-            rows_ = 0;
+            std::fill_n(rows_.data(), nValues, 0);
         }
         for (label k = 0; k < nColumns; ++k)
         {

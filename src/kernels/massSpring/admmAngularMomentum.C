@@ -92,8 +92,8 @@ void Foam::fsi::admmSolver::restoreAngularMomentum()
             at<lanes>(start_, 2*row) + at<lanes>(change_, 2*row) - endX;
         const array ey =
             at<lanes>(start_, 2*row + 1) + at<lanes>(change_, 2*row + 1) - endY;
-        at<lanes>(change_, 2*row) -= versine*ex + sine*ey;
-        at<lanes>(change_, 2*row + 1) += sine*ex - versine*ey;
+        to<lanes>(change_, 2*row) -= versine*ex + sine*ey;
+        to<lanes>(change_, 2*row + 1) += sine*ex - versine*ey;
     }
 }
 

@@ -68,7 +68,7 @@ void Foam::fsi::admmSolver::setRestLengths
             length.data(),
             state.data(),
             deltaT_,
-            at<lanes>(restLengths_, springi).data()
+            restLengths_.data() + lanes*springi
         );
     }
 }
@@ -81,7 +81,7 @@ void Foam::fsi::admmSolver::inertialResidual()
     {
         for (label place = 2*row; place < 2*row + 2; ++place)
         {
-            at<lanes>(residual_, place) = masses_[row]
+            to<lanes>(residual_, place) = masses_[row]
                *(at<lanes>(inertial_, place) - at<lanes>(change_, place));
         }
     }
@@ -107,29 +107,7 @@ void Foam::fsi::admmSolver::startWithMomentum()
     }
     for (label place = 0; place < 2*masses_.size(); ++place)
     {
-        at<lanes>(change_, place) += missing[place % 2];
-    }
-}
-
-
-template<int lanes>
-void Foam::fsi::admmSolver::setResidual(const label iteration)
-{
-    inertialResidual<lanes>();
-    if (shape_.admm().quasiNewton)
-    {
-        springStep<lanes, admmStep::force>();
-        elementStep<lanes, admmStep::force>();
-    }
-    else if (iteration == 0)
-    {
-        springStep<lanes, admmStep::start>();
-        elementStep<lanes, admmStep::start>();
-    }
-    else
-    {
-        springStep<lanes, admmStep::local>();
-        elementStep<lanes, admmStep::local>();
+        to<lanes>(change_, place) += missing[place % 2];
     }
 }
 
@@ -144,7 +122,7 @@ Foam::scalar Foam::fsi::admmSolver::globalStep()
     if (shape_.admm().quasiNewton)
     {
         acceleration_.keepResidual(residual_);
-        factor_->solveRows<2*lanes>(residual_.data());
+        factor_->solveRows(2*lanes, residual_.data());
         acceleration_.step<lanes>
         (
             (8*shape_.admm().areaWeight/at<lanes>(stretch_, 0)).min(1),
@@ -154,7 +132,7 @@ Foam::scalar Foam::fsi::admmSolver::globalStep()
     }
     else
     {
-        factor_->solveRows<2*lanes>(residual_.data());
+        factor_->solveRows(2*lanes, residual_.data());
         change += residual;
     }
     return residual.abs().maxCoeff()/shape_.nodeSpacing();
@@ -217,7 +195,14 @@ void Foam::fsi::admmSolver::solveBlock
      && change > shape_.admm().tolerance
     )
     {
-        setResidual<lanes>(iteration);
+        inertialResidual<lanes>();
+        localStep
+        (
+            lanes,
+            shape_.admm().quasiNewton ? admmStep::force
+          : iteration == 0 ? admmStep::start
+          : admmStep::local
+        );
         change = globalStep<lanes>();
         ++iteration;
     }

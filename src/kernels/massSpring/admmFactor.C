@@ -78,7 +78,7 @@ void Foam::fsi::admmFactor::solveColumns
         }
     }
 
-    solveRows<width>(rows.data());
+    solveRows(width, rows.data());
 
     for (label k = 0; k < nColumns; ++k)
     {

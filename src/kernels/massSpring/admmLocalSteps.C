@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "admmSolver.H"
-#include "admmLanes.H"
+#include "laneDomains.H"
+#include "vectorClones.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -10,71 +11,9 @@ namespace Foam
 namespace fsi
 {
 
-//- F - 1 of a domain (strainDomains) from displacements, row by row; rows:
-//  those of its nodes in the factor
-template<int lanes>
-static inline void deformation
-(
-    const strainDomains& domains,
-    const label domaini,
-    const labelList& rows,
-    const scalarField& displacements,
-    laneArray<lanes>* F
-)
-{
-    for (int i = 0; i < 4; ++i)
-    {
-        F[i].setZero();
-    }
-    const label first = domains.start(domaini);
-    for (label j = first + 1; j < domains.start(domaini + 1); ++j)
-    {
-        const scalar* g = &domains.gradients()[2*j];
-        for (int i = 0; i < 2; ++i)
-        {
-            const laneArray<lanes> d =
-                at<lanes>(displacements, 2*rows[j] + i)
-              - at<lanes>(displacements, 2*rows[first] + i);
-            F[2*i] += d*g[0];
-            F[2*i + 1] += d*g[1];
-        }
-    }
-}
-
-
-//- Add P g_n to the domain's nodes
-template<int lanes>
-static inline void spread
-(
-    const strainDomains& domains,
-    const label domaini,
-    const labelList& rows,
-    const laneArray<lanes>* P,
-    scalarField& residual
-)
-{
-    const label first = domains.start(domaini);
-    laneArray<lanes> sum[2] =
-        {laneArray<lanes>::Zero(), laneArray<lanes>::Zero()};
-    for (label j = first + 1; j < domains.start(domaini + 1); ++j)
-    {
-        const scalar* g = &domains.gradients()[2*j];
-        for (int i = 0; i < 2; ++i)
-        {
-            const laneArray<lanes> f = P[2*i]*g[0] + P[2*i + 1]*g[1];
-            at<lanes>(residual, 2*rows[j] + i) += f;
-            sum[i] += f;
-        }
-    }
-    for (int i = 0; i < 2; ++i)
-    {
-        at<lanes>(residual, 2*rows[first] + i) -= sum[i];
-    }
-}
-
-
 //- Bound of the second derivative of (det F - 1)^2/2 over all directions
 template<int lanes>
+[[gnu::always_inline]]
 static inline laneArray<lanes> secondDerivative(const laneArray<lanes>* F)
 {
     return
@@ -87,10 +26,11 @@ static inline laneArray<lanes> secondDerivative(const laneArray<lanes>* F)
 //  (dV/dz)/w^2 and -u is returned, later it is y - z and z - u - D x is. The
 //  force needs no u
 template<admmStep step, int lanes>
+[[gnu::always_inline]]
 static inline laneArray<lanes> updateDual
 (
     const laneArray<lanes>& dual,
-    Eigen::Map<laneArray<lanes>> u
+    const laneReference<lanes> u
 )
 {
     if (step == admmStep::force)
@@ -100,9 +40,9 @@ static inline laneArray<lanes> updateDual
     if (step == admmStep::start)
     {
         u = dual;
-        return -u;
+        return -dual;
     }
-    const laneArray<lanes> result = u - 2*dual;
+    const laneArray<lanes> result = u.values() - 2*dual;
     u = dual;
     return result;
 }
@@ -114,7 +54,8 @@ static inline laneArray<lanes> updateDual
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int lanes, Foam::fsi::admmStep step>
-void Foam::fsi::admmSolver::springStep()
+[[gnu::always_inline]]
+inline void Foam::fsi::admmSolver::springStep()
 {
     typedef laneArray<lanes> array;
 
@@ -122,15 +63,15 @@ void Foam::fsi::admmSolver::springStep()
     {
         const label a = springRows_[2*springi];
         const label b = springRows_[2*springi + 1];
-        auto ux = at<lanes>(springDual_, 2*springi);
-        auto uy = at<lanes>(springDual_, 2*springi + 1);
+        const auto ux = to<lanes>(springDual_, 2*springi);
+        const auto uy = to<lanes>(springDual_, 2*springi + 1);
 
         array yx = difference<lanes>(start_, change_, a, b, 0);
         array yy = difference<lanes>(start_, change_, a, b, 1);
         if (step == admmStep::local)
         {
-            yx += ux;
-            yy += uy;
+            yx += ux.values();
+            yy += uy.values();
         }
 
         // u over y, which is D x at the start
@@ -143,27 +84,29 @@ void Foam::fsi::admmSolver::springStep()
         const array gy = updateDual<step, lanes>(fromRest*yy, uy);
 
         const scalar weight = springWeights_[springi];
-        at<lanes>(residual_, 2*a) -= weight*gx;
-        at<lanes>(residual_, 2*a + 1) -= weight*gy;
-        at<lanes>(residual_, 2*b) += weight*gx;
-        at<lanes>(residual_, 2*b + 1) += weight*gy;
+        to<lanes>(residual_, 2*a) -= weight*gx;
+        to<lanes>(residual_, 2*a + 1) -= weight*gy;
+        to<lanes>(residual_, 2*b) += weight*gx;
+        to<lanes>(residual_, 2*b + 1) += weight*gy;
     }
 }
 
 
 template<int lanes>
-void Foam::fsi::admmSolver::setCurrent(const scalarField& from)
+[[gnu::always_inline]]
+inline void Foam::fsi::admmSolver::setCurrent(const scalarField& from)
 {
     for (label place = 0; place < 2*masses_.size(); ++place)
     {
-        at<lanes>(current_, place) =
+        to<lanes>(current_, place) =
             at<lanes>(from, place) + at<lanes>(change_, place);
     }
 }
 
 
 template<int lanes, Foam::fsi::admmStep step>
-void Foam::fsi::admmSolver::areaStep()
+[[gnu::always_inline]]
+inline void Foam::fsi::admmSolver::areaStep()
 {
     typedef laneArray<lanes> array;
     const strainDomains& domains = shape_.elementTerm().areaDomains();
@@ -202,17 +145,18 @@ void Foam::fsi::admmSolver::areaStep()
         array g[4];
         for (int i = 0; i < 4; ++i)
         {
-            auto u = at<lanes>(areaDual_, 4*domaini + i);
+            const auto u = to<lanes>(areaDual_, 4*domaini + i);
             g[i] = areaWeights_[domaini]*updateDual<step, lanes>(F[i], u);
         }
         spread<lanes>(domains, domaini, areaRows_, g, residual_);
     }
-    at<lanes>(stretch_, 0) = stretch;
+    to<lanes>(stretch_, 0) = stretch;
 }
 
 
 template<int lanes>
-void Foam::fsi::admmSolver::shearStep()
+[[gnu::always_inline]]
+inline void Foam::fsi::admmSolver::shearStep()
 {
     typedef laneArray<lanes> array;
     const strainDomains& domains = shape_.elementTerm().shearDomains();
@@ -232,7 +176,8 @@ void Foam::fsi::admmSolver::shearStep()
 
 
 template<int lanes>
-void Foam::fsi::admmSolver::viscousStep()
+[[gnu::always_inline]]
+inline void Foam::fsi::admmSolver::viscousStep()
 {
     typedef laneArray<lanes> array;
     const strainDomains& domains = shape_.elementTerm().shearDomains();
@@ -251,7 +196,8 @@ void Foam::fsi::admmSolver::viscousStep()
 
 
 template<int lanes, Foam::fsi::admmStep step>
-void Foam::fsi::admmSolver::elementStep()
+[[gnu::always_inline]]
+inline void Foam::fsi::admmSolver::elementStep()
 {
     setCurrent<lanes>(displacement_);
     areaStep<lanes, step>();
@@ -264,28 +210,39 @@ void Foam::fsi::admmSolver::elementStep()
 }
 
 
-// * * * * * * * * * * * * * Explicit Instantiation  * * * * * * * * * * * * //
-
-#define makeSteps(lanes)                                                      \
-    template void admmSolver::springStep<lanes, admmStep::start>();           \
-    template void admmSolver::springStep<lanes, admmStep::local>();           \
-    template void admmSolver::springStep<lanes, admmStep::force>();           \
-    template void admmSolver::elementStep<lanes, admmStep::start>();          \
-    template void admmSolver::elementStep<lanes, admmStep::local>();          \
-    template void admmSolver::elementStep<lanes, admmStep::force>();
-
-namespace Foam
+template<int lanes>
+[[gnu::always_inline]]
+inline void Foam::fsi::admmSolver::localStep(const admmStep step)
 {
-namespace fsi
-{
-    makeSteps(1)
-    makeSteps(2)
-    makeSteps(4)
-    makeSteps(8)
-}
+    switch (step)
+    {
+        case admmStep::start:
+            springStep<lanes, admmStep::start>();
+            elementStep<lanes, admmStep::start>();
+            break;
+        case admmStep::local:
+            springStep<lanes, admmStep::local>();
+            elementStep<lanes, admmStep::local>();
+            break;
+        case admmStep::force:
+            springStep<lanes, admmStep::force>();
+            elementStep<lanes, admmStep::force>();
+            break;
+    }
 }
 
-#undef makeSteps
+
+FSI_AVX2_CLONES
+void Foam::fsi::admmSolver::localStep(const int lanes, const admmStep step)
+{
+    switch (lanes)
+    {
+        case 8: localStep<8>(step); break;
+        case 4: localStep<4>(step); break;
+        case 2: localStep<2>(step); break;
+        default: localStep<1>(step);
+    }
+}
 
 
 // ************************************************************************* //

@@ -11,7 +11,7 @@ namespace fsi
 {
 
 //- A column of a block, or the two components of a node, in one register
-typedef laneArray<2> pair;
+typedef Eigen::Array2d pair;
 
 static inline Eigen::Map<pair> at(scalar* place)
 {
@@ -139,20 +139,21 @@ void Foam::fsi::blockCholesky::solveLanes
     const label n = pattern_->size();
     const scalar* lower = values_.cdata() + 4*n;
     const auto row = [&](const label i) { return at<lanes>(rows, i); };
+    const auto set = [&](const label i) { return to<lanes>(rows, i); };
 
     for (label k = first; k < n; ++k)
     {
         const scalar* d = values_.cdata() + 4*k;
         const array a = d[0]*row(2*k);
         const array b = d[1]*row(2*k) + d[3]*row(2*k + 1);
-        row(2*k) = a;
-        row(2*k + 1) = b;
+        set(2*k) = a;
+        set(2*k + 1) = b;
         for (label e = pattern_->start(k); e < pattern_->start(k + 1); ++e)
         {
             const scalar* l = lower + 4*e;
             const label i = 2*pattern_->rows()[e];
-            row(i) -= l[0]*a + l[2]*b;
-            row(i + 1) -= l[1]*a + l[3]*b;
+            set(i) -= l[0]*a + l[2]*b;
+            set(i + 1) -= l[1]*a + l[3]*b;
         }
     }
     for (label k = n - 1; k >= 0; --k)
@@ -166,8 +167,8 @@ void Foam::fsi::blockCholesky::solveLanes
             b -= l[2]*row(i) + l[3]*row(i + 1);
         }
         const scalar* d = values_.cdata() + 4*k;
-        row(2*k) = d[0]*a + d[1]*b;
-        row(2*k + 1) = d[3]*b;
+        set(2*k) = d[0]*a + d[1]*b;
+        set(2*k + 1) = d[3]*b;
     }
 }
 

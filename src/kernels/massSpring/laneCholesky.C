@@ -1,34 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "laneCholesky.H"
-#include "admmLanes.H"
+#include "laneReference.H"
+#include "vectorClones.H"
 #include "error.H"
 
 #include <algorithm>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Call an action with the number of lanes as a constant
-template<class Action>
-static auto withLanes(const int lanes, const Action& action)
-{
-    switch (lanes)
-    {
-        case 1: return action(std::integral_constant<int, 1>());
-        case 2: return action(std::integral_constant<int, 2>());
-        case 4: return action(std::integral_constant<int, 4>());
-        default: return action(std::integral_constant<int, 8>());
-    }
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -96,98 +73,123 @@ void Foam::fsi::laneCholesky::setPattern(const admmFactor& pattern)
 
 
 template<int lanes>
-void Foam::fsi::laneCholesky::resetLanes(const scalar scale)
-{
-    forAll(matrixEntries_, e)
-    {
-        at<lanes>(entries_, e) = scale*matrixEntries_[e];
-    }
-    forAll(matrixDiagonal_, i)
-    {
-        at<lanes>(diagonal_, i) = scale*matrixDiagonal_[i];
-    }
-}
-
-
-template<int lanes>
-bool Foam::fsi::laneCholesky::factorLanes()
+[[gnu::always_inline]]
+inline bool Foam::fsi::laneCholesky::factorLanes()
 {
     typedef laneArray<lanes> values;
     const labelList& start = pattern_->columnStart();
     const labelList& rows = pattern_->columnRow();
     const labelList& rowStart = pattern_->rowStart();
     const labelList& rowColumn = pattern_->rowColumn();
+    scalar* entries = entries_.data();
+    scalar* column = column_.data();
+    scalar* diagonals = diagonal_.data();
 
     for (label j = 0; j < pattern_->size(); ++j)
     {
         for (label e = start[j]; e < start[j + 1]; ++e)
         {
-            at<lanes>(column_, rows[e]) = at<lanes>(entries_, e);
+            to<lanes>(column, rows[e]) = at<lanes>(entries, e);
         }
-        values diagonal = at<lanes>(diagonal_, j);
+        values diagonal = at<lanes>(diagonals, j);
 
         for (label place = rowStart[j]; place < rowStart[j + 1]; ++place)
         {
             const label entry = columnEntry_[place];
-            const values ljk = at<lanes>(entries_, entry);
+            const values ljk = at<lanes>(entries, entry);
             diagonal -= ljk*ljk;
             const label end = start[rowColumn[place] + 1];
             for (label e = entry + 1; e < end; ++e)
             {
-                at<lanes>(column_, rows[e]) -= ljk*at<lanes>(entries_, e);
+                to<lanes>(column, rows[e]) -= ljk*at<lanes>(entries, e);
             }
         }
-        if (!(diagonal > 0).all())
+        if (!diagonal.positive())
         {
             return false;
         }
-        const values inverse = diagonal.rsqrt();
-        at<lanes>(diagonal_, j) = inverse;
+        const values inverse = 1/diagonal.sqrt();
+        to<lanes>(diagonals, j) = inverse;
         for (label e = start[j]; e < start[j + 1]; ++e)
         {
-            at<lanes>(entries_, e) = inverse*at<lanes>(column_, rows[e]);
+            to<lanes>(entries, e) = inverse*at<lanes>(column, rows[e]);
         }
     }
     return true;
 }
 
 
-template<int lanes>
-void Foam::fsi::laneCholesky::solveLanes
+template<int lanes, int nComponents>
+[[gnu::always_inline]]
+inline void Foam::fsi::laneCholesky::solveLanes
 (
-    scalar* rows,
-    const label nComponents
+    scalar* rows
 ) const
 {
     typedef laneArray<lanes> values;
     const labelList& start = pattern_->columnStart();
     const labelList& row = pattern_->columnRow();
     const label n = pattern_->size();
-    const auto value = [&](const label i, const label cmpt)
-    {
-        return Eigen::Map<values>(rows + lanes*(nComponents*i + cmpt));
-    };
+    const scalar* entries = entries_.data();
+    const scalar* diagonals = diagonal_.data();
 
-    for (label cmpt = 0; cmpt < nComponents; ++cmpt)
+    // All components at once: entries are read once in each direction
+    values x[nComponents];
+    for (label j = 0; j < n; ++j)
     {
-        for (label j = 0; j < n; ++j)
+        const values inverse = at<lanes>(diagonals, j);
+        for (int d = 0; d < nComponents; ++d)
         {
-            const values x = at<lanes>(diagonal_, j)*value(j, cmpt);
-            value(j, cmpt) = x;
-            for (label e = start[j]; e < start[j + 1]; ++e)
+            x[d] = inverse*at<lanes>(rows, nComponents*j + d);
+            to<lanes>(rows, nComponents*j + d) = x[d];
+        }
+        for (label e = start[j]; e < start[j + 1]; ++e)
+        {
+            const values entry = at<lanes>(entries, e);
+            for (int d = 0; d < nComponents; ++d)
             {
-                value(row[e], cmpt) -= at<lanes>(entries_, e)*x;
+                to<lanes>(rows, nComponents*row[e] + d) -= entry*x[d];
             }
         }
-        for (label j = n - 1; j >= 0; --j)
+    }
+    for (label j = n - 1; j >= 0; --j)
+    {
+        for (int d = 0; d < nComponents; ++d)
         {
-            values x = value(j, cmpt);
-            for (label e = start[j]; e < start[j + 1]; ++e)
-            {
-                x -= at<lanes>(entries_, e)*value(row[e], cmpt);
-            }
-            value(j, cmpt) = at<lanes>(diagonal_, j)*x;
+            x[d] = at<lanes>(rows, nComponents*j + d);
         }
+        for (label e = start[j]; e < start[j + 1]; ++e)
+        {
+            const values entry = at<lanes>(entries, e);
+            for (int d = 0; d < nComponents; ++d)
+            {
+                x[d] -= entry*at<lanes>(rows, nComponents*row[e] + d);
+            }
+        }
+        const values inverse = at<lanes>(diagonals, j);
+        for (int d = 0; d < nComponents; ++d)
+        {
+            to<lanes>(rows, nComponents*j + d) = inverse*x[d];
+        }
+    }
+}
+
+
+template<int lanes>
+[[gnu::always_inline]]
+inline void Foam::fsi::laneCholesky::solveLanes
+(
+    scalar* rows,
+    const label nComponents
+) const
+{
+    if (nComponents == 2)
+    {
+        solveLanes<lanes, 2>(rows);
+    }
+    else
+    {
+        solveLanes<lanes, 3>(rows);
     }
 }
 
@@ -206,10 +208,17 @@ void Foam::fsi::laneCholesky::reset
         setPattern(pattern);
     }
     lanes_ = lanes;
-    entries_.setSize(lanes*matrixEntries_.size());
-    diagonal_.setSize(lanes*matrixDiagonal_.size());
-    column_.setSize(lanes*matrixDiagonal_.size());
-    withLanes(lanes, [&](auto n) { resetLanes<decltype(n)::value>(scale); });
+    entries_.resize(lanes*matrixEntries_.size());
+    diagonal_.resize(lanes*matrixDiagonal_.size());
+    column_.resize(lanes*matrixDiagonal_.size());
+    forAll(matrixEntries_, e)
+    {
+        std::fill_n(&entries_[lanes*e], lanes, scale*matrixEntries_[e]);
+    }
+    forAll(matrixDiagonal_, i)
+    {
+        std::fill_n(&diagonal_[lanes*i], lanes, scale*matrixDiagonal_[i]);
+    }
 }
 
 
@@ -234,27 +243,33 @@ void Foam::fsi::laneCholesky::add
 }
 
 
+FSI_AVX2_CLONES
 bool Foam::fsi::laneCholesky::factor()
 {
-    return withLanes
-    (
-        lanes_,
-        [&](auto n) { return factorLanes<decltype(n)::value>(); }
-    );
+    switch (lanes_)
+    {
+        case 8: return factorLanes<8>();
+        case 4: return factorLanes<4>();
+        case 2: return factorLanes<2>();
+        default: return factorLanes<1>();
+    }
 }
 
 
+FSI_AVX2_CLONES
 void Foam::fsi::laneCholesky::solve
 (
     scalar* rows,
     const label nComponents
 ) const
 {
-    withLanes
-    (
-        lanes_,
-        [&](auto n) { solveLanes<decltype(n)::value>(rows, nComponents); }
-    );
+    switch (lanes_)
+    {
+        case 8: solveLanes<8>(rows, nComponents); break;
+        case 4: solveLanes<4>(rows, nComponents); break;
+        case 2: solveLanes<2>(rows, nComponents); break;
+        default: solveLanes<1>(rows, nComponents);
+    }
 }
 
 

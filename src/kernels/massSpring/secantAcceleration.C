@@ -117,8 +117,8 @@ void Foam::fsi::secantAcceleration::step
     for (label i = 0; i < size_/lanes; ++i)
     {
         const laneArray<lanes> g = at<lanes>(x, i) + b*at<lanes>(f, i);
-        at<lanes>(present, i) = g;
-        at<lanes>(x, i) =
+        to<lanes>(present, i) = g;
+        to<lanes>(x, i) =
             g
           - c1*(g - at<lanes>(last, i))
           - c2*(g - at<lanes>(before, i));
