@@ -37,13 +37,18 @@ void Foam::fsi::linkOperator::chain
     const scalar viscosity
 )
 {
-    last_.setSize(matrix_.nRows());
-    last_ = -1;
+    last_.setSize(matrix_.nRows(), -1);
     unsorted_.clear();
+    unsortedRows_.clear();
     previous_.clear();
     for (const wallLink& link : links)
     {
-        label& last = last_[matrix_.row(link.cell)];
+        const label row = matrix_.row(link.cell);
+        label& last = last_[row];
+        if (last < 0)
+        {
+            unsortedRows_.append(row);
+        }
         const scalar g = viscosity*link.conductance;
         matrix_.addToDiagonal(link.cell, g);
         link.place.forPairs
@@ -55,6 +60,35 @@ void Foam::fsi::linkOperator::chain
                 unsorted_.append({a, b, g*u, g*v});
             }
         );
+    }
+}
+
+
+void Foam::fsi::linkOperator::sortRows()
+{
+    const auto node = [&](const label row)
+    {
+        return unsorted_[last_[row]].nodeA;
+    };
+    label nNodes = 0;
+    for (const label row : unsortedRows_)
+    {
+        nNodes = max(nNodes, node(row) + 1);
+    }
+    place_.setSize(nNodes + 1);
+    place_ = 0;
+    for (const label row : unsortedRows_)
+    {
+        ++place_[node(row) + 1];
+    }
+    for (label nodei = 0; nodei < nNodes; ++nodei)
+    {
+        place_[nodei + 1] += place_[nodei];
+    }
+    rows_.setSize(unsortedRows_.size());
+    for (const label row : unsortedRows_)
+    {
+        rows_[place_[node(row)]++] = row;
     }
 }
 
@@ -127,18 +161,13 @@ void Foam::fsi::linkOperator::set
 )
 {
     chain(links, viscosity);
+    sortRows();
 
     entries_.clear();
-    rows_.clear();
     sources_.clear();
     start_.clear();
-    forAll(last_, row)
+    for (const label row : rows_)
     {
-        if (last_[row] < 0)
-        {
-            continue;
-        }
-        rows_.append(row);
         start_.append(entries_.size());
         for (label d = 0; d < nDims_; ++d)
         {
@@ -148,6 +177,7 @@ void Foam::fsi::linkOperator::set
         {
             entries_.append(unsorted_[i]);
         }
+        last_[row] = -1;
     }
     start_.append(entries_.size());
 }
