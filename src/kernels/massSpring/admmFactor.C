@@ -203,31 +203,6 @@ const Eigen::MatrixXd& Foam::fsi::admmFactor::boundaryInverse() const
 }
 
 
-void Foam::fsi::admmFactor::solveBoundary
-(
-    const Eigen::MatrixXd& f,
-    Eigen::MatrixXd& v
-) const
-{
-    const Eigen::MatrixXd& inverse = boundaryInverse();
-    v.resize(inverse.rows(), f.cols());
-    if (4*sparseInverse_.nonZeros() < inverse.size())
-    {
-        v.noalias() = sparseInverse_*f;
-        return;
-    }
-
-    // Panels small enough for the product to work without the heap
-    const label width = 32;
-    for (label first = 0; first < f.cols(); first += width)
-    {
-        const label nColumns = min(width, label(f.cols()) - first);
-        v.middleCols(first, nColumns).noalias() =
-            inverse*f.middleCols(first, nColumns);
-    }
-}
-
-
 const Foam::fsi::admmFactor&
 Foam::fsi::admmFactor::boundaryFactor() const
 {

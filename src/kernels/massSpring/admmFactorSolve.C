@@ -5,6 +5,107 @@
 #include "laneReference.H"
 #include "vectorClones.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Most columns that are multiplied at once
+static constexpr label largestWidth = 32;
+
+
+//- A symmetric matrix times `width` columns side by side
+template<int width>
+FSI_INLINE void multiplyWidth
+(
+    const Eigen::SparseMatrix<double>& matrix,
+    const scalar* from,
+    scalar* result
+)
+{
+    const int* start = matrix.outerIndexPtr();
+    const int* column = matrix.innerIndexPtr();
+    const double* value = matrix.valuePtr();
+    for (label i = 0; i < matrix.outerSize(); ++i)
+    {
+        laneArray<width> sum(0);
+        for (int e = start[i]; e < start[i + 1]; ++e)
+        {
+            sum += value[e]*at<width>(from, column[e]);
+        }
+        to<width>(result, i) = sum;
+    }
+}
+
+
+//- The same for 2, 4, 8, 16 or 32 columns
+FSI_AVX2_CLONES
+void multiplyRows
+(
+    const int width,
+    const Eigen::SparseMatrix<double>& matrix,
+    const scalar* from,
+    scalar* result
+)
+{
+    switch (width)
+    {
+        case 32: multiplyWidth<32>(matrix, from, result); break;
+        case 16: multiplyWidth<16>(matrix, from, result); break;
+        case 8: multiplyWidth<8>(matrix, from, result); break;
+        case 4: multiplyWidth<4>(matrix, from, result); break;
+        default: multiplyWidth<2>(matrix, from, result);
+    }
+}
+
+
+//- The same for any number of columns of a matrix
+static void multiplyColumns
+(
+    const Eigen::SparseMatrix<double>& matrix,
+    const Eigen::MatrixXd& x,
+    Eigen::MatrixXd& result
+)
+{
+    const label n = matrix.outerSize();
+    label width = 2;
+    while (width < min(label(x.cols()), largestWidth))
+    {
+        width *= 2;
+    }
+    laneField from, to;
+    from.resize(width*n);
+    to.resize(width*n);
+    result.resize(n, x.cols());
+    for (label first = 0; first < x.cols(); first += width)
+    {
+        const label nColumns = min(width, label(x.cols()) - first);
+        for (label k = 0; k < nColumns; ++k)
+        {
+            const double* column = x.col(first + k).data();
+            for (label i = 0; i < n; ++i)
+            {
+                from[width*i + k] = column[i];
+            }
+        }
+        multiplyRows(width, matrix, from.data(), to.data());
+        for (label k = 0; k < nColumns; ++k)
+        {
+            double* column = result.col(first + k).data();
+            for (label i = 0; i < n; ++i)
+            {
+                column[i] = to[width*i + k];
+            }
+        }
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int width>
@@ -37,47 +138,6 @@ inline void Foam::fsi::admmFactor::solveWidth(scalar* rows) const
 }
 
 
-template<int width>
-[[gnu::always_inline]]
-inline void Foam::fsi::admmFactor::multiplyWidth
-(
-    const scalar* from,
-    scalar* result
-) const
-{
-    const int* start = matrix_.outerIndexPtr();
-    const int* column = matrix_.innerIndexPtr();
-    const double* value = matrix_.valuePtr();
-    for (label i = 0; i < size(); ++i)
-    {
-        laneArray<width> sum(0);
-        for (int e = start[i]; e < start[i + 1]; ++e)
-        {
-            sum += value[e]*at<width>(from, column[e]);
-        }
-        to<width>(result, i) = sum;
-    }
-}
-
-
-FSI_AVX2_CLONES
-void Foam::fsi::admmFactor::multiplyRows
-(
-    const int width,
-    const scalar* from,
-    scalar* result
-) const
-{
-    switch (width)
-    {
-        case 16: multiplyWidth<16>(from, result); break;
-        case 8: multiplyWidth<8>(from, result); break;
-        case 4: multiplyWidth<4>(from, result); break;
-        default: multiplyWidth<2>(from, result);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 FSI_AVX2_CLONES
@@ -98,37 +158,20 @@ Eigen::MatrixXd Foam::fsi::admmFactor::multiply
     const Eigen::MatrixXd& x
 ) const
 {
-    Eigen::MatrixXd result(x.rows(), x.cols());
-    laneField from, to;
-    label width = 2;
-    while (width < min(label(x.cols()), largestWidth))
-    {
-        width *= 2;
-    }
-    from.resize(width*size());
-    to.resize(width*size());
-    for (label first = 0; first < x.cols(); first += width)
-    {
-        const label nColumns = min(width, label(x.cols()) - first);
-        for (label k = 0; k < nColumns; ++k)
-        {
-            const double* column = x.col(first + k).data();
-            for (label i = 0; i < size(); ++i)
-            {
-                from[width*i + k] = column[i];
-            }
-        }
-        multiplyRows(width, from.data(), to.data());
-        for (label k = 0; k < nColumns; ++k)
-        {
-            double* column = result.col(first + k).data();
-            for (label i = 0; i < size(); ++i)
-            {
-                column[i] = to[width*i + k];
-            }
-        }
-    }
+    Eigen::MatrixXd result;
+    multiplyColumns(matrix_, x, result);
     return result;
+}
+
+
+void Foam::fsi::admmFactor::solveBoundary
+(
+    const Eigen::MatrixXd& f,
+    Eigen::MatrixXd& v
+) const
+{
+    boundaryInverse();
+    multiplyColumns(sparseInverse_, f, v);
 }
 
 
