@@ -109,13 +109,17 @@ void Foam::fsi::cartesianMesh::setIndices()
 
     const cartesianBlock block(cells());
     blockIndex_.setSize(C.size());
-    cellAt_.setSize(block.size());
+    const cartesianBlock halo(cells(1));
+    haloIndex_.setSize(C.size());
+    cellAt_.setSize(halo.size());
     cellAt_ = -1;
     forAll(C, celli)
     {
         blockIndex_[celli] = block.index(ijk[celli] - start_);
-        cellAt_[blockIndex_[celli]] = celli;
+        haloIndex_[celli] = halo.index(ijk[celli] - halo.start());
+        cellAt_[haloIndex_[celli]] = celli;
     }
+    haloStride_ = labelVector(halo.stride(0), halo.stride(1), halo.stride(2));
 }
 
 

@@ -40,9 +40,9 @@ Foam::label Foam::fsi::cartesianMesh::findCell(const point& p) const
             const label n = globalN_[dir];
             ijk[dir] = (ijk[dir] % n + n) % n;
         }
-        ijk[dir] -= start_[dir];
     }
-    const cartesianBlock block(cells());
+    const cartesianBlock block(cells(1));
+    ijk -= block.start();
     return block.contains(ijk) ? cellAt_[block.index(ijk)] : -1;
 }
 
@@ -54,10 +54,9 @@ Foam::label Foam::fsi::cartesianMesh::nextCell
     const bool upwards
 ) const
 {
-    const cartesianBlock block(cells());
-    labelVector ijk(block.ijk(blockIndex_[celli]));
-    ijk[dir] += upwards ? 1 : -1;
-    const label next = block.contains(ijk) ? cellAt_[block.index(ijk)] : -1;
+    const label stride = haloStride_[dir];
+    const label next =
+        cellAt_[haloIndex_[celli] + (upwards ? stride : -stride)];
     if (next >= 0 || coupledFaces_.empty())
     {
         return next;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceGeometry.H"
+#include "fetchAhead.H"
 #include "levelSetUpdate.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -64,8 +65,7 @@ static scalar slopeDrop
 bool Foam::fsi::interfaceGeometry::isNarrow
 (
     const label celli,
-    scalar& change,
-    bool& atPatch
+    scalar& change
 ) const
 {
     const polyMesh& mesh = grid_.mesh();
@@ -74,7 +74,6 @@ bool Foam::fsi::interfaceGeometry::isNarrow
     // A side at a patch counts as open
     scalar open = 0;
     change = 0;
-    atPatch = false;
     for (const label facei : mesh.cells()[celli])
     {
         const bool internal = mesh.isInternalFace(facei);
@@ -90,7 +89,6 @@ bool Foam::fsi::interfaceGeometry::isNarrow
         else
         {
             open += 1;
-            atPatch = true;
         }
     }
     change /= open;
@@ -100,24 +98,20 @@ bool Foam::fsi::interfaceGeometry::isNarrow
 
 Foam::labelList Foam::fsi::interfaceGeometry::halfClosedCells()
 {
-    const polyMesh& mesh = grid_.mesh();
-    DynamicList<label> touched(nearFaces_.size());
-    const auto close = [&](const label celli, const scalar closed)
+    DynamicList<label> touched(wallFaces_.size());
+    forAll(wallFaces_, i)
     {
-        if (closedSides_[celli] == 0)
+        fetchAhead(openness_[fetchedAhead(wallFaces_, i).face]);
+        const scalar closed = 1 - openness_[wallFaces_[i].face];
+        for (const label celli : {wallFaces_[i].lower, wallFaces_[i].upper})
         {
-            touched.append(celli);
-        }
-        closedSides_[celli] += closed;
-    };
-    for (const label facei : nearFaces_)
-    {
-        if (openness_[facei] < 1)
-        {
-            close(mesh.faceOwner()[facei], 1 - openness_[facei]);
-            if (mesh.isInternalFace(facei))
+            if (celli >= 0)
             {
-                close(mesh.faceNeighbour()[facei], 1 - openness_[facei]);
+                if (closedSides_[celli] == 0)
+                {
+                    touched.append(celli);
+                }
+                closedSides_[celli] += closed;
             }
         }
     }
@@ -126,11 +120,7 @@ Foam::labelList Foam::fsi::interfaceGeometry::halfClosedCells()
     DynamicList<label> found;
     for (const label celli : touched)
     {
-        if
-        (
-            activeCell_[celli]
-         && closedSides_[celli] > grid_.nDims() - ROOTSMALL
-        )
+        if (closedSides_[celli] > grid_.nDims() - ROOTSMALL)
         {
             found.append(celli);
         }
@@ -159,17 +149,16 @@ void Foam::fsi::interfaceGeometry::setFilmCells
         0.5*sqrt(scalar(grid_.nDims()))*grid_.spacing();
     for (const label celli : halfClosedCells())
     {
-        const label here = haloIndex_[celli];
+        const label here = grid_.haloIndex()[celli];
         scalar change;
-        bool atPatch;
         if
         (
             distance[here] < diagonal
-         && isNarrow(celli, change, atPatch)
          && (
-                atPatch
+                atPatch_[celli]
              || slopeDrop(halo, grid_.nDims(), distance, here) > leastDrop
             )
+         && isNarrow(celli, change)
         )
         {
             filmCells_.append(celli);

@@ -46,31 +46,50 @@ static void setSurfaceField
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::fsi::interfaceGeometry::acrossFace
+Foam::scalar Foam::fsi::interfaceGeometry::openPart
 (
+    const levelSetUpdate& levelSet,
     const label facei,
-    const direction dir
+    const label here
 ) const
 {
-    const fvMesh& mesh = grid_.mesh();
-    const label stride = grid_.cells(1).stride(dir);
-    const label own = haloIndex_[mesh.faceOwner()[facei]];
-    return grid_.faceAlong(facei) ? own + stride : own - stride;
+    const label nCorners = grid_.nDims() == 2 ? 2 : 4;
+    const label across = here + grid_.stepAcross(facei);
+    const scalar inCell = levelSet.cellDistance()[here];
+    const scalar beyond = levelSet.cellDistance()[across];
+    const FixedList<label, 4>& corners = grid_.faceCorners(facei);
+    FixedList<scalar, 4> distance(Zero);
+    scalar lowest = min(inCell, beyond);
+    scalar highest = max(inCell, beyond);
+    for (label i = 0; i < nCorners; ++i)
+    {
+        distance[i] = levelSet.cornerDistance()[corners[i]];
+        lowest = min(lowest, distance[i]);
+        highest = max(highest, distance[i]);
+    }
+    if (lowest > 0 || highest <= 0)
+    {
+        // Most faces; no treatment would have it another way
+        return lowest > 0 ? 1 : 0;
+    }
+    const scalar open = wall_.openness(distance, nCorners, inCell, beyond);
+    return open < smallestOpenness ? 0 : open;
 }
 
 
 void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
 {
     const fvMesh& mesh = grid_.mesh();
+    const labelList& owner = mesh.faceOwner();
+    const labelList& haloIndex = grid_.haloIndex();
     const scalarField& cellDistance = levelSet.cellDistance();
-    const scalarField& cornerDistance = levelSet.cornerDistance();
-    const label nCorners = grid_.nDims() == 2 ? 2 : 4;
     const scalar reach = nearest*grid_.spacing();
 
     nearFaces_.clear();
     grid_.forFaces([&](const label facei)
     {
-        const scalar inCell = cellDistance[haloIndex_[mesh.faceOwner()[facei]]];
+        const label here = haloIndex[owner[facei]];
+        const scalar inCell = cellDistance[here];
         if (mag(inCell) > reach)
         {
             // All corners are on the same side
@@ -78,21 +97,7 @@ void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
             return;
         }
         nearFaces_.append(facei);
-        const FixedList<label, 4>& corners = grid_.faceCorners(facei);
-        FixedList<scalar, 4> distance(Zero);
-        for (label i = 0; i < nCorners; ++i)
-        {
-            distance[i] = cornerDistance[corners[i]];
-        }
-
-        const scalar open = wall_.openness
-        (
-            distance,
-            nCorners,
-            inCell,
-            cellDistance[acrossFace(facei, grid_.faceDirection(facei))]
-        );
-        openness_[facei] = open < smallestOpenness ? 0 : open;
+        openness_[facei] = openPart(levelSet, facei, here);
     });
 
     // On cyclic patches the distances of both sides differ by round-off
@@ -110,6 +115,9 @@ void Foam::fsi::interfaceGeometry::setCells(const levelSetUpdate& levelSet)
 {
     const polyMesh& mesh = grid_.mesh();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const labelList& owner = mesh.faceOwner();
+    const labelList& neighbour = mesh.faceNeighbour();
+    const labelList& haloIndex = grid_.haloIndex();
     const scalarField& distance = levelSet.cellDistance();
 
     // More than a cell's diagonal from the surfaces all sides are open
@@ -117,27 +125,30 @@ void Foam::fsi::interfaceGeometry::setCells(const levelSetUpdate& levelSet)
     forAll(activeCell_, celli)
     {
         activeCell_[celli] = fluidCell_[celli] =
-            distance[haloIndex_[celli]] > h;
+            distance[haloIndex[celli]] > h;
     }
     const auto activate = [&](const label celli)
     {
-        activeCell_[celli] = true;
-        fluidCell_[celli] = distance[haloIndex_[celli]] > 0;
+        if (!activeCell_[celli])
+        {
+            activeCell_[celli] = true;
+            fluidCell_[celli] = distance[haloIndex[celli]] > 0;
+        }
     };
     for (const label facei : nearFaces_)
     {
-        const bool internal = mesh.isInternalFace(facei);
-        if
-        (
-            openness_[facei] > 0
-         && (internal || patches[patches.whichPatch(facei)].coupled())
-        )
+        if (openness_[facei] <= 0)
         {
-            activate(mesh.faceOwner()[facei]);
-            if (internal)
-            {
-                activate(mesh.faceNeighbour()[facei]);
-            }
+            continue;
+        }
+        if (facei < neighbour.size())
+        {
+            activate(owner[facei]);
+            activate(neighbour[facei]);
+        }
+        else if (patches[patches.whichPatch(facei)].coupled())
+        {
+            activate(owner[facei]);
         }
     }
 }
@@ -177,9 +188,9 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
 :
     grid_(grid),
     wall_(wall),
-    haloIndex_(grid.mesh().nCells()),
     openness_(grid.mesh().nFaces(), 1),
     closedSides_(grid.mesh().nCells(), 0),
+    atPatch_(grid.mesh().nCells(), false),
     fluidCell_(grid.mesh().nCells(), true),
     activeCell_(grid.mesh().nCells(), true),
     filmChange_
@@ -209,13 +220,12 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
         dimensionedScalar("value", dimless, 1)
     )
 {
-    const cartesianBlock block(grid.cells());
-    const cartesianBlock halo(grid.cells(1));
-    const labelVector shift(1, 1, grid.nDims() == 3 ? 1 : 0);
-    forAll(haloIndex_, celli)
+    for (const polyPatch& patch : grid.mesh().boundaryMesh())
     {
-        haloIndex_[celli] =
-            halo.index(block.ijk(grid.blockIndex()[celli]) + shift);
+        if (!patch.coupled() && !isA<emptyPolyPatch>(patch))
+        {
+            UIndirectList<bool>(atPatch_, patch.faceCells()) = true;
+        }
     }
 }
 
@@ -239,15 +249,15 @@ void Foam::fsi::interfaceGeometry::update
         lastOpenness_ = openness_;
     }
     setCells(levelSet);
-    setFilmCells(levelSet, first);
     boolList across;
     swapCoupledCells(grid_.mesh(), fluidCell_, across);
     setFields(across);
-    setWallFaces(levelSet, surfaces);
+    findWalls(across);
+    placeWallFaces(levelSet, surfaces);
+    placeWallLinks(levelSet, surfaces);
     cellWalls_.update(surfaces, wallFaces_, wallOrigins_);
     setOpenFaces(levelSet, across);
-    setWallLinks(levelSet, surfaces);
-    setInnerFaces(across);
+    setFilmCells(levelSet, first);
     setOutsideWalls(levelSet, surfaces);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceGeometry.H"
+#include "fetchAhead.H"
 #include "levelSetUpdate.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -46,13 +47,12 @@ Foam::direction Foam::fsi::interfaceGeometry::openDirection
         }
         if (mag(rise) > largest)
         {
-            const labelVector way
-            (
-                corners.ijk(around[i]) - corners.ijk(around[0])
-            );
+            const label way = around[i] - around[0];
             largest = mag(rise);
-            dir = way.x() ? 0 : way.y() ? 1 : 2;
-            rises = (rise > 0) == (way[dir] > 0);
+            dir =
+                mag(way) == corners.stride(0) ? 0
+              : mag(way) == corners.stride(1) ? 1 : 2;
+            rises = (rise > 0) == (way > 0);
         }
     }
     return dir;
@@ -65,15 +65,20 @@ void Foam::fsi::interfaceGeometry::setOpenFaces
     const boolList& across
 )
 {
-    const fvMesh& mesh = grid_.mesh();
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const label nInternal = grid_.mesh().nInternalFaces();
+    const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
     const cartesianBlock corners(grid_.corners());
     openFaces_.clear();
     forAll(wallFaces_, walli)
     {
-        const label facei = wallFaces_[walli].face;
+        const wallFace& later = fetchedAhead(wallFaces_, walli);
+        fetchAhead(openness_[later.face]);
+        fetchAhead(grid_.faceCorners(later.face));
+
+        const wallFace& w = wallFaces_[walli];
+        const label facei = w.face;
         const scalar open = openness_[facei];
-        const bool internal = facei < mesh.nInternalFaces();
+        const bool internal = facei < nInternal;
         if
         (
             open <= 0
@@ -82,19 +87,23 @@ void Foam::fsi::interfaceGeometry::setOpenFaces
         {
             continue;
         }
+        // Of an open face both cells are active; the lower number is the owner
+        const label own =
+            internal ? min(w.lower, w.upper) : max(w.lower, w.upper);
+        const label nei = internal ? max(w.lower, w.upper) : -1;
+        const bool fluid =
+            internal ? fluidCell_[nei] : across[facei - nInternal];
         bool rises = true;
         const direction dir =
             openDirection(levelSet.cornerDistance(), corners, facei, rises);
-        const label own = mesh.faceOwner()[facei];
-        const label nei = internal ? mesh.faceNeighbour()[facei] : own;
-        const bool fluid =
-            internal
-          ? fluidCell_[nei]
-          : across[facei - mesh.nInternalFaces()];
         openFace o;
         o.wall = walli;
+        o.face = facei;
+        o.dir = w.dir;
         o.middleClosed = open < 0.5;
         o.beyond = o.middleClosed ? open/(1 + 2*open) : 0.5*(1 - open);
+        o.sides[0] = own;
+        o.sides[1] = nei;
         o.cells[0] = grid_.nextCell(own, dir, rises);
         o.cells[1] =
             internal ? grid_.nextCell(nei, dir, rises) : o.cells[0];

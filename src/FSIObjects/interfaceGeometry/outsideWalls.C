@@ -36,8 +36,8 @@ void Foam::fsi::interfaceGeometry::setOutsideWalls
             w.upper = upwards ? -1 : celli;
             w.area = (1 - openness_[facei])*mag(mesh.faceAreas()[facei]);
 
-            const label here = haloIndex_[celli];
-            const label there = acrossFace(facei, w.dir);
+            const label here = grid_.haloIndex()[celli];
+            const label there = here + grid_.stepAcross(facei);
             const label nearHere = levelSet.nearestFace()[here];
             const label nearThere = levelSet.nearestFace()[there];
             if (nearHere >= 0 || nearThere >= 0)

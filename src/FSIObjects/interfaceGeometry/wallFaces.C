@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceGeometry.H"
+#include "fetchAhead.H"
 #include "wallTreatment.H"
 #include "levelSetUpdate.H"
 
@@ -16,201 +17,195 @@ void Foam::fsi::interfaceGeometry::setCut
 {
     const FixedList<label, 4>& around = grid_.faceCorners(facei);
     const label nCorners = grid_.nDims() == 2 ? 2 : 4;
-    const bool isOpen = openness_[facei] > 0 && openness_[facei] < 1;
+    FixedList<point, 4> at;
+    for (label i = 0; i < nCorners; ++i)
+    {
+        at[i] = corners.position(around[i]);
+    }
     label nCut = 0;
     point sum(Zero);
-    for (label i = 0; i < nCorners && isOpen; ++i)
+    for (label a = 0; a < nCorners; ++a)
     {
         // In 2D the second edge is the first one
-        const label a = around[i];
-        const label b = around[(i + 1) % nCorners];
-        const scalar distanceA = cornerDistance[a];
-        const scalar distanceB = cornerDistance[b];
+        const label b = (a + 1) % nCorners;
+        const scalar distanceA = cornerDistance[around[a]];
+        const scalar distanceB = cornerDistance[around[b]];
         if ((distanceA > 0) != (distanceB > 0))
         {
             const scalar part = distanceA/(distanceA - distanceB);
-            sum += (1 - part)*corners.position(a) + part*corners.position(b);
+            sum += (1 - part)*at[a] + part*at[b];
             ++nCut;
         }
     }
     origin.cut = nCut > 0;
-    origin.middle =
-        origin.cut ? sum/nCut : point(grid_.mesh().faceCentres()[facei]);
+    if (origin.cut)
+    {
+        origin.middle = sum/nCut;
+    }
 }
 
 
-void Foam::fsi::interfaceGeometry::setWallFaces
+void Foam::fsi::interfaceGeometry::addWallFace
 (
-    const levelSetUpdate& levelSet,
-    const surfaceSet& surfaces
+    const label facei,
+    const label own,
+    const label nei
 )
 {
-    const fvMesh& mesh = grid_.mesh();
-    const labelList& owner = mesh.faceOwner();
-    const labelList& nearestFace = levelSet.nearestFace();
-    const cartesianBlock corners(grid_.corners());
-
-    wallFaces_.clear();
-    wallOrigins_.clear();
-    for (const label facei : nearFaces_)
-    {
-        const label own = owner[facei];
-        const bool internal = facei < mesh.nInternalFaces();
-        const label nei = internal ? mesh.faceNeighbour()[facei] : -1;
-        const bool ownActive = activeCell_[own];
-        const bool neiActive = internal && activeCell_[nei];
-
-        if (openness_[facei] >= 1 || !(ownActive || neiActive))
-        {
-            continue;
-        }
-
-        const direction dir = grid_.faceDirection(facei);
-        const bool upwards = grid_.faceAlong(facei);
-        const label lower = upwards ? own : nei;
-        const label upper = upwards ? nei : own;
-
-        wallFace w;
-        w.face = facei;
-        w.dir = dir;
-        w.lower = lower >= 0 && activeCell_[lower] ? lower : -1;
-        w.upper = upper >= 0 && activeCell_[upper] ? upper : -1;
-        w.area = (1 - openness_[facei])*mag(mesh.faceAreas()[facei]);
-
-        wallOrigin origin;
-        setCut(levelSet.cornerDistance(), corners, facei, origin);
-        w.place = nearestPlace
-        (
-            surfaces,
-            origin.middle,
-            nearestFace[haloIndex_[own]],
-            nearestFace[acrossFace(facei, dir)],
-            origin.surface
-        );
-        wallFaces_.append(w);
-        wallOrigins_.append(origin);
-    }
+    const bool upwards = grid_.faceAlong(facei);
+    wallFace w;
+    w.face = facei;
+    w.dir = grid_.faceDirection(facei);
+    w.lower = upwards ? own : nei;
+    w.upper = upwards ? nei : own;
+    w.area = 1 - openness_[facei];
+    wallFaces_.append(w);
 }
 
 
 void Foam::fsi::interfaceGeometry::addWallLink
 (
-    const levelSetUpdate& levelSet,
-    const surfaceSet& surfaces,
     const label facei,
     const label celli,
-    const direction dir,
-    const label sign
+    const label across
 )
 {
-    const scalar h = grid_.spacing();
-    const scalarField& distance = levelSet.cellDistance();
-    const labelList& nearestFace = levelSet.nearestFace();
-    const label here = haloIndex_[celli];
-    const label there = here + sign*grid_.cells(1).stride(dir);
-
+    // The owner is the cell of the lower number
+    const bool isOwner = across < 0 || celli < across;
     wallLink link;
     link.cell = celli;
     link.face = facei;
-    link.dir = dir;
-    link.wallDistance =
-        wall_.wallDistance(distance[here], min(distance[there], 0.0));
-    link.conductance = grid_.faceArea()/(link.wallDistance*h);
-
-    point wallPoint(grid_.mesh().C()[celli]);
-    wallPoint[dir] += sign*min(link.wallDistance, 1.0)*h;
-    label found;
-    link.place = nearestPlace
-    (
-        surfaces,
-        wallPoint,
-        nearestFace[here],
-        nearestFace[there],
-        found
-    );
+    link.across = across;
+    link.dir = grid_.faceDirection(facei);
+    link.upwards = grid_.faceAlong(facei) == isOwner;
     wallLinks_.append(link);
 }
 
 
-void Foam::fsi::interfaceGeometry::setWallLinks
-(
-    const levelSetUpdate& levelSet,
-    const surfaceSet& surfaces
-)
+void Foam::fsi::interfaceGeometry::findWalls(const boolList& across)
 {
-    const fvMesh& mesh = grid_.mesh();
-    const auto addLink = [&]
-    (
-        const label facei,
-        const label celli,
-        const direction dir,
-        const label sign
-    )
-    {
-        addWallLink(levelSet, surfaces, facei, celli, dir, sign);
-    };
+    const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
+    const labelList& owner = grid_.mesh().faceOwner();
+    const labelList& neighbour = grid_.mesh().faceNeighbour();
 
+    wallFaces_.clear();
+    innerFaces_.clear();
     wallLinks_.clear();
     for (const label facei : nearFaces_)
     {
-        const label own = mesh.faceOwner()[facei];
-        const bool internal = facei < mesh.nInternalFaces();
-        const label nei = internal ? mesh.faceNeighbour()[facei] : -1;
-        if (internal && fluidCell_[own] == fluidCell_[nei])
+        const label inBoundary = facei - neighbour.size();
+        const label own = owner[facei];
+        const label nei = inBoundary < 0 ? neighbour[facei] : -1;
+        const bool fluid = fluidCell_[own];
+        const bool otherFluid = nei < 0 ? across[inBoundary] : fluidCell_[nei];
+        const bool active = activeCell_[own];
+        const bool otherActive = nei >= 0 && activeCell_[nei];
+
+        if (openness_[facei] < 1 && (active || otherActive))
+        {
+            if (openness_[facei] > 0 && !fluid && !otherFluid)
+            {
+                innerFaces_.append(wallFaces_.size());
+            }
+            addWallFace(facei, active ? own : -1, otherActive ? nei : -1);
+        }
+        if (fluid == otherFluid)
         {
             continue;
         }
-        const direction dir = grid_.faceDirection(facei);
-        const label sign = grid_.faceAlong(facei) ? 1 : -1;
-
-        if (internal && fluidCell_[own])
+        if (nei >= 0)
         {
-            addLink(facei, own, dir, sign);
+            addWallLink(facei, fluid ? own : nei, fluid ? nei : own);
         }
-        else if (internal)
+        else if (fluid && patches[patches.whichPatch(facei)].coupled())
         {
-            addLink(facei, nei, dir, -sign);
-        }
-        else if (fluidCell_[own])
-        {
-            const label patchi = mesh.boundaryMesh().whichPatch(facei);
-            if
-            (
-                mesh.boundaryMesh()[patchi].coupled()
-             && fluidFace_.boundaryField()[patchi]
-                [
-                    facei - mesh.boundaryMesh()[patchi].start()
-                ] < 0.5
-            )
-            {
-                addLink(facei, own, dir, sign);
-            }
+            addWallLink(facei, own, -1);
         }
     }
 }
 
 
-void Foam::fsi::interfaceGeometry::setInnerFaces(const boolList& across)
+void Foam::fsi::interfaceGeometry::placeWallFaces
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
 {
-    const fvMesh& mesh = grid_.mesh();
-    innerFaces_.clear();
+    const vectorField& faceAreas = grid_.mesh().faceAreas();
+    const vectorField& faceCentres = grid_.mesh().faceCentres();
+    const labelList& owner = grid_.mesh().faceOwner();
+    const labelList& haloIndex = grid_.haloIndex();
+    const labelList& nearestFace = levelSet.nearestFace();
+    const cartesianBlock corners(grid_.corners());
+
+    wallOrigins_.setSize(wallFaces_.size());
     forAll(wallFaces_, i)
     {
-        const label facei = wallFaces_[i].face;
-        const label inBoundary = facei - mesh.nInternalFaces();
-        const bool otherFluid =
-            inBoundary < 0
-          ? fluidCell_[mesh.faceNeighbour()[facei]]
-          : across[inBoundary];
-        if
-        (
-            openness_[facei] > 0
-         && !fluidCell_[mesh.faceOwner()[facei]]
-         && !otherFluid
-        )
+        const wallFace& later = fetchedAhead(wallFaces_, i);
+        fetchAhead(faceAreas[later.face]);
+        fetchAhead(faceCentres[later.face]);
+        fetchAhead(grid_.faceCorners(later.face));
+        fetchAhead(nearestFace[haloIndex[max(later.lower, later.upper)]]);
+
+        wallFace& w = wallFaces_[i];
+        wallOrigin& origin = wallOrigins_[i];
+        origin.cut = false;
+        origin.middle = faceCentres[w.face];
+        if (w.area < 1)
         {
-            innerFaces_.append(i);
+            setCut(levelSet.cornerDistance(), corners, w.face, origin);
         }
+        w.area *= mag(faceAreas[w.face]);
+        const label here = haloIndex[owner[w.face]];
+        w.place = nearestPlace
+        (
+            surfaces,
+            origin.middle,
+            nearestFace[here],
+            nearestFace[here + grid_.stepAcross(w.face)],
+            origin.surface
+        );
+    }
+}
+
+
+void Foam::fsi::interfaceGeometry::placeWallLinks
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    const scalar h = grid_.spacing();
+    const vectorField& C = grid_.mesh().C();
+    const scalarField& distance = levelSet.cellDistance();
+    const labelList& nearestFace = levelSet.nearestFace();
+    const labelList& haloIndex = grid_.haloIndex();
+    forAll(wallLinks_, i)
+    {
+        const label later = fetchedAhead(wallLinks_, i).cell;
+        fetchAhead(C[later]);
+        fetchAhead(distance[haloIndex[later]]);
+        fetchAhead(nearestFace[haloIndex[later]]);
+
+        wallLink& link = wallLinks_[i];
+        const label sign = link.upwards ? 1 : -1;
+        const label here = haloIndex[link.cell];
+        const label there = here + sign*grid_.haloStride(link.dir);
+        link.wallDistance =
+            wall_.wallDistance(distance[here], min(distance[there], 0.0));
+        link.conductance = grid_.faceArea()/(link.wallDistance*h);
+
+        point wallPoint(C[link.cell]);
+        wallPoint[link.dir] += sign*min(link.wallDistance, 1.0)*h;
+        label found;
+        link.place = nearestPlace
+        (
+            surfaces,
+            wallPoint,
+            nearestFace[here],
+            nearestFace[there],
+            found
+        );
     }
 }
 
