@@ -37,31 +37,26 @@ void Foam::fsi::faceVelocities::setCutFaces
         }
     };
 
-    // Between a fluid cell's centre and the wall
-    for (const wallLink& link : geometry_.wallLinks())
+    const UList<wallLink>& links = geometry_.wallLinks();
+    forAll(links, i)
     {
-        const scalar wall = link.place.interpolate(v.wall, link.dir);
-        const scalar part = min(0.5/link.wallDistance, 1.0);
-        set
-        (
-            link.face,
-            (1 - part)*v.U[link.cell][link.dir] + part*wall
-          + v.increment(link.cell, link.dir)
-        );
+        const wallLink& later = fetchedAhead(links, i);
+        const label face = min(later.face, nInternal - 1);
+        v.fetch(later.cell);
+        fetchAhead(result[face]);
+        fetchAhead(open[face]);
+        fetchAhead(v.wall[later.place.nodes[0]]);
+        set(links[i].face, v.velocity(links[i]));
     }
-
-    // Between two cells with their centres inside objects. Across a coupled
-    // patch each side gives half
-    for (const label walli : geometry_.innerFaces())
+    const UList<wallFace>& walls = geometry_.wallFaces();
+    const UList<label>& inner = geometry_.innerFaces();
+    forAll(inner, i)
     {
-        const wallFace& w = geometry_.wallFaces()[walli];
-        const label own = mesh.faceOwner()[w.face];
-        const bool internal = w.face < nInternal;
-        const label nei = internal ? mesh.faceNeighbour()[w.face] : own;
-        const scalar value =
-            w.place.interpolate(v.wall, w.dir)
-          + 0.5*(v.increment(own, w.dir) + v.increment(nei, w.dir));
-        set(w.face, internal ? value : 0.5*value);
+        fetchAhead(walls[fetchedAhead(inner, i, 24)]);
+        const wallFace& later = walls[fetchedAhead(inner, i)];
+        fetchAhead(result[min(later.face, nInternal - 1)]);
+        fetchAhead(v.wall[later.place.nodes[0]]);
+        set(walls[inner[i]].face, v.velocity(walls[inner[i]]));
     }
     setCutPatchFaces(onBoundary, isSet, what, result);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "fetchAhead.H"
 #include "fvmDiv.H"
 #include "openLaplacian.H"
 
@@ -11,34 +12,35 @@ namespace Foam
 namespace fsi
 {
 
-//- Flux through a face and the mean velocity of its two cells; false for
-//  faces that are neither internal nor on a coupled patch
+//- Flux out of a link's cell through its face and the mean velocity of the two
+//  cells; false for faces that are neither internal nor on a coupled patch
 static bool faceValues
 (
     const surfaceScalarField& flux,
     const volVectorField& U,
     const List<vectorField>& across,
-    const label facei,
+    const wallLink& link,
     scalar& out,
     vector& mean
 )
 {
-    const fvMesh& mesh = U.mesh();
-    const vector& own = U[mesh.faceOwner()[facei]];
-    if (facei < mesh.nInternalFaces())
+    const vector& here = U[link.cell];
+    if (link.across >= 0)
     {
-        out = flux[facei];
-        mean = 0.5*(own + U[mesh.faceNeighbour()[facei]]);
+        // The owner is the cell of the lower number
+        out = link.cell < link.across ? flux[link.face] : -flux[link.face];
+        mean = 0.5*(here + U[link.across]);
         return true;
     }
-    const label patchi = mesh.boundaryMesh().whichPatch(facei);
-    const label i = facei - mesh.boundaryMesh()[patchi].start();
+    const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
+    const label patchi = patches.whichPatch(link.face);
+    const label i = link.face - patches[patchi].start();
     if (across[patchi].empty())
     {
         return false;
     }
     out = flux.boundaryField()[patchi][i];
-    mean = 0.5*(own + across[patchi][i]);
+    mean = 0.5*(here + across[patchi][i]);
     return true;
 }
 
@@ -72,18 +74,22 @@ void Foam::fsi::immersedFluid::addWallConvection
     vectorField& source
 ) const
 {
-    const fvMesh& mesh = U.mesh();
     const List<vectorField> across(valuesAcross(U));
-    for (const wallLink& link : geometry_.wallLinks())
+    const UList<wallLink>& links = geometry_.wallLinks();
+    forAll(links, i)
     {
+        const wallLink& later = fetchedAhead(links, i);
+        fetchAhead(U[later.cell]);
+        fetchAhead(U[max(later.across, 0)]);
+        fetchAhead(source[later.cell]);
+        fetchAhead(wallVelocity[later.place.nodes[0]]);
+        fetchAhead(flux[min(later.face, flux.size() - 1)]);
+
+        const wallLink& link = links[i];
         scalar out = 0;
         vector linear(Zero);
-        if (faceValues(flux, U, across, link.face, out, linear))
+        if (faceValues(flux, U, across, link, out, linear))
         {
-            if (link.cell != mesh.faceOwner()[link.face])
-            {
-                out = -out;
-            }
             const scalar part = min(0.5/link.wallDistance, 1.0);
             const vector& u = U[link.cell];
             const vector onFace

@@ -12,27 +12,20 @@ Foam::scalar Foam::fsi::faceVelocities::beyondMiddle
     const openFace& o
 ) const
 {
-    const fvMesh& mesh = v.U.mesh();
-    const wallFace& w = geometry_.wallFaces()[o.wall];
-    const bool internal = w.face < mesh.nInternalFaces();
-    const label cells[2] =
-    {
-        mesh.faceOwner()[w.face],
-        internal ? mesh.faceNeighbour()[w.face] : -1
-    };
     scalar along = 0;
     if (o.middleClosed)
     {
-        along = (1 - o.beyond)*w.place.interpolate(v.wall, w.dir);
-        along *= internal ? 1 : 0.5;
+        const surfacePlace& place = geometry_.wallFaces()[o.wall].place;
+        along = (1 - o.beyond)*place.interpolate(v.wall, o.dir);
+        along *= o.sides[1] >= 0 ? 1 : 0.5;
     }
-    for (label i = 0; i < 2 && cells[i] >= 0; ++i)
+    for (label i = 0; i < 2 && o.sides[i] >= 0; ++i)
     {
         const label next = o.cells[i];
         const vector& U = next < 0 ? across[-2 - next] : v.U[next];
         along +=
-            0.5*o.beyond*U[w.dir]
-          + o.part()*o.increments[i]*v.increment(cells[i], w.dir);
+            0.5*o.beyond*U[o.dir]
+          + o.part()*o.increments[i]*v.increment(o.sides[i], o.dir);
     }
     return along;
 }
@@ -55,9 +48,19 @@ void Foam::fsi::faceVelocities::addOpenParts
         setZeroOnCoupled(mesh, onBoundary);
         setZeroOnCoupled(mesh, share);
     }
-    for (const openFace& o : geometry_.openFaces())
+    const UList<openFace>& faces = geometry_.openFaces();
+    forAll(faces, i)
     {
-        const label facei = geometry_.wallFaces()[o.wall].face;
+        const openFace& later = fetchedAhead(faces, i);
+        fetchAhead(geometry_.wallFaces()[later.wall].place);
+        fetchAhead(result[min(later.face, nInternal - 1)]);
+        for (label side = 0; side < 2; ++side)
+        {
+            v.fetch(max(later.cells[side], 0));
+            v.fetch(max(later.sides[side], 0));
+        }
+        const openFace& o = faces[i];
+        const label facei = o.face;
         const scalar along = beyondMiddle(v, across, o);
         if (facei < nInternal)
         {
