@@ -2,6 +2,7 @@
 
 #include "immersedFluid.H"
 #include "dictionaryCheck.H"
+#include "fetchAhead.H"
 #include "levelSetUpdate.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -106,25 +107,59 @@ void Foam::fsi::immersedFluid::setSolidVelocity
 }
 
 
-Foam::labelList Foam::fsi::immersedFluid::solidCells() const
+void Foam::fsi::immersedFluid::constrain(fvVectorMatrix& UEqn) const
 {
+    // As setValues does for the solid cells, which goes through each cell's
+    // faces, in 2D two empty ones
     const boolList& fluid = geometry_.fluidCell();
-    DynamicList<label> cells;
+    const vectorField& U = UEqn.psi().primitiveField();
+    const scalarField& diagonal = UEqn.diag();
+    scalarField& upper = UEqn.upper();
+    scalarField& lower = UEqn.lower();
+    vectorField& source = UEqn.source();
+    const UList<wallLink>& links = geometry_.wallLinks();
+    forAll(links, i)
+    {
+        const wallLink& later = fetchedAhead(links, i);
+        fetchAhead(source[later.cell]);
+        fetchAhead(U[max(later.across, 0)]);
+        fetchAhead(upper[min(later.face, upper.size() - 1)]);
+        fetchAhead(lower[min(later.face, lower.size() - 1)]);
+
+        const wallLink& link = links[i];
+        if (link.across >= 0)
+        {
+            // The owner is the cell of the lower number
+            source[link.cell] -=
+                (link.cell < link.across ? upper : lower)[link.face]
+               *U[link.across];
+            upper[link.face] = lower[link.face] = 0;
+        }
+    }
+    const labelUList& firstFace = UEqn.lduAddr().ownerStartAddr();
     forAll(fluid, celli)
     {
         if (!fluid[celli])
         {
-            cells.append(celli);
+            source[celli] = U[celli]*diagonal[celli];
+            for (label i = firstFace[celli]; i < firstFace[celli + 1]; ++i)
+            {
+                upper[i] = lower[i] = 0;
+            }
         }
     }
-    return labelList(std::move(cells));
-}
-
-
-void Foam::fsi::immersedFluid::constrain(fvVectorMatrix& UEqn) const
-{
-    const labelList cells(solidCells());
-    UEqn.setValues(cells, vectorField(UEqn.psi().primitiveField(), cells));
+    forAll(UEqn.internalCoeffs(), patchi)
+    {
+        const labelUList& cells = UEqn.lduAddr().patchAddr(patchi);
+        forAll(UEqn.internalCoeffs()[patchi], i)
+        {
+            if (!fluid[cells[i]])
+            {
+                UEqn.internalCoeffs()[patchi][i] = Zero;
+                UEqn.boundaryCoeffs()[patchi][i] = Zero;
+            }
+        }
+    }
 }
 
 
