@@ -1,25 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFluid.H"
+#include "fetchAhead.H"
+#include "gradientSums.H"
 #include "openLaplacian.H"
 #include "swapCoupledCells.H"
 #include "extrapolatedCalculatedFvPatchFields.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::immersedFluid::addCoupledGradients
+void Foam::fsi::gradientWeights::divide
 (
-    volVectorField& gradient,
-    List<direction>& count
+    vectorField& gradient,
+    const label nDims
 ) const
 {
+    forAll(cells, i)
+    {
+        fetchAhead(gradient[fetchedAhead(cells, i)]);
+        for (direction d = 0; d < nDims; ++d)
+        {
+            gradient[cells[i]][d] /= max(sum[i][d], 0.5*SMALL);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::immersedFluid::addCoupledGradients(solidMeans& means) const
+{
     const boolList& fluid = geometry_.fluidCell();
-    const fvMesh& mesh = gradient.mesh();
+    const fvMesh& mesh = means.gradient.mesh();
     boolList fluidAcross;
     swapCoupledCells(mesh, fluid, fluidAcross);
-    forAll(gradient.boundaryField(), patchi)
+    forAll(means.gradient.boundaryField(), patchi)
     {
-        const fvPatchVectorField& pg = gradient.boundaryField()[patchi];
+        const fvPatchVectorField& pg = means.gradient.boundaryField()[patchi];
         if (pg.coupled())
         {
             const label first = pg.patch().start() - mesh.nInternalFaces();
@@ -29,8 +46,7 @@ void Foam::fsi::immersedFluid::addCoupledGradients
             {
                 if (fluidAcross[first + i] && !fluid[cells[i]])
                 {
-                    gradient[cells[i]] += g[i];
-                    ++count[cells[i]];
+                    means.add(cells[i], g[i]);
                 }
             }
         }
@@ -40,67 +56,45 @@ void Foam::fsi::immersedFluid::addCoupledGradients
 
 void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
 {
-    const fvMesh& mesh = gradient.mesh();
     const boolList& fluid = geometry_.fluidCell();
+    const boolList& active = geometry_.activeCell();
+    const UList<wallLink>& links = geometry_.wallLinks();
 
-    // Mean over the fluid neighbours of each solid cell that has any
+    // Those that are not active have none
     forAll(fluid, celli)
     {
-        if (!fluid[celli])
+        if (active[celli] && !fluid[celli])
         {
             gradient[celli] = Zero;
         }
     }
-    List<direction> count(mesh.nCells(), direction(0));
-    for (const wallLink& link : geometry_.wallLinks())
+    solidMeans means(gradient);
+    forAll(links, i)
     {
-        if (link.face < mesh.nInternalFaces())
+        const wallLink& later = fetchedAhead(links, i);
+        fetchAhead(gradient[later.cell]);
+        fetchAhead(gradient[max(later.across, 0)]);
+        if (links[i].across >= 0)
         {
-            const label own = mesh.faceOwner()[link.face];
-            const label solid =
-                own == link.cell ? mesh.faceNeighbour()[link.face] : own;
-            gradient[solid] += gradient[link.cell];
-            ++count[solid];
+            means.add(links[i].across, gradient[links[i].cell]);
         }
     }
-    addCoupledGradients(gradient, count);
-    forAll(count, celli)
+    addCoupledGradients(means);
+    for (const label celli : means.cells)
     {
-        if (count[celli] > 1)
+        if (means.count[celli] > 1)
         {
-            gradient[celli] /= scalar(count[celli]);
+            gradient[celli] /= scalar(means.count[celli]);
         }
     }
     gradient.correctBoundaryConditions();
 }
 
 
-void Foam::fsi::immersedFluid::gradientWeights::divide
-(
-    vectorField& gradient,
-    const label nDims
-) const
-{
-    forAll(gradient, celli)
-    {
-        if (!isCut[celli])
-        {
-            gradient[celli] *= 0.5;
-            continue;
-        }
-        for (direction d = 0; d < nDims; ++d)
-        {
-            gradient[celli][d] /= max(sum[celli][d], SMALL);
-        }
-    }
-}
-
-
 void Foam::fsi::immersedFluid::sumFaceGradients
 (
     const volScalarField& p,
-    vectorField& sum,
-    gradientWeights& weights
+    vectorField& sum
 ) const
 {
     const fvMesh& mesh = p.mesh();
@@ -108,19 +102,34 @@ void Foam::fsi::immersedFluid::sumFaceGradients
     const surfaceScalarField& open = geometry_.openArea();
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
-    const scalar perSpacing = 1/grid.spacing();
+    const scalar half = 0.5/grid.spacing();
     forAll(own, facei)
     {
         const direction d = grid.faceDirection(facei);
         const scalar w = open[facei];
         const scalar forwards = grid.faceAlong(facei) ? w : -w;
-        const scalar g = forwards*(p[nei[facei]] - p[own[facei]])*perSpacing;
+        const scalar g = forwards*(p[nei[facei]] - p[own[facei]])*half;
         sum[own[facei]][d] += g;
         sum[nei[facei]][d] += g;
-        if (w < 1)
+    }
+}
+
+
+void Foam::fsi::immersedFluid::subtractWalls(gradientWeights& weights) const
+{
+    const scalarField& open = geometry_.openness();
+    const UList<wallFace>& walls = geometry_.wallFaces();
+    const label nInternal = geometry_.grid().mesh().nInternalFaces();
+    forAll(walls, i)
+    {
+        fetchAhead(open[fetchedAhead(walls, i).face]);
+        const wallFace& w = walls[i];
+        for (const label celli : {w.lower, w.upper})
         {
-            weights.subtract(own[facei], d, 1 - w);
-            weights.subtract(nei[facei], d, 1 - w);
+            if (celli >= 0 && w.face < nInternal)
+            {
+                weights.subtract(celli, w.dir, 1 - open[w.face]);
+            }
         }
     }
 }
@@ -134,6 +143,7 @@ void Foam::fsi::immersedFluid::sumPatchGradients
 ) const
 {
     const cartesianMesh& grid = geometry_.grid();
+    const boolList& active = geometry_.activeCell();
     forAll(p.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
@@ -148,10 +158,14 @@ void Foam::fsi::immersedFluid::sumPatchGradients
         );
         forAll(pp, i)
         {
+            if (!active[cells[i]])
+            {
+                continue;
+            }
             const direction d = grid.faceDirection(pp.patch().start() + i);
             const scalar w = counts ? open[i] : 0;
             const scalar outwards = pp.patch().Sf()[i][d] > 0 ? w : -w;
-            sum[cells[i]][d] += outwards*gradients[i];
+            sum[cells[i]][d] += 0.5*(outwards*gradients[i]);
             weights.subtract(cells[i], d, 1 - w);
         }
     }
@@ -192,7 +206,8 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
     volVectorField& gradient = tgradient.ref();
     vectorField& sum = gradient.primitiveFieldRef();
     gradientWeights weights(mesh.nCells());
-    sumFaceGradients(p, sum, weights);
+    sumFaceGradients(p, sum);
+    subtractWalls(weights);
     sumPatchGradients(p, sum, weights);
     weights.divide(sum, geometry_.grid().nDims());
     gradient.correctBoundaryConditions();
