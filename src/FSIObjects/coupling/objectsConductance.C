@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectsConductance.H"
+#include "fetchAhead.H"
 #include "mathematicalConstants.H"
 #include "swapCoupledCells.H"
 
@@ -77,36 +78,39 @@ void Foam::fsi::objectsConductance::addWalls
     scalarField& conductance
 ) const
 {
-    const auto reaches = [&](const wallFace& w)
-    {
-        return objects.own(w.face) >= 0 || objects.neighbour(w.face) >= 0;
-    };
     const UList<wallFace>& faces = system_.geometry.wallFaces();
     const wallOperator& walls = system_.walls;
 
     // Closed area of each cell at walls towards the inside
     const scalarField d(estimate*diagonal());
     scalarField inner(d.size(), Zero), all(d.size(), Zero);
-    for (const wallFace& w : faces)
+    boolList reaches(faces.size());
+    forAll(faces, i)
     {
-        const bool inside = reaches(w);
+        const wallFace& w = faces[i];
+        reaches[i] =
+            !(w.lower >= 0 && w.upper >= 0)
+         && (objects.own(w.face) >= 0 || objects.neighbour(w.face) >= 0);
         for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0)
             {
-                inner[walls.place(celli)] += inside ? w.area : 0;
+                inner[walls.place(celli)] += reaches[i] ? w.area : 0;
                 all[walls.place(celli)] += w.area;
             }
         }
     }
-    for (const wallFace& w : faces)
+    forAll(faces, i)
     {
+        const label later = fetchedAhead(faces, i).face;
+        fetchAhead(conductance[later]);
+        const wallFace& w = faces[i];
         const bool thin =
             w.lower >= 0 && w.upper >= 0
          && inner[walls.place(w.lower)] + inner[walls.place(w.upper)] == 0;
         for (const label celli : {w.lower, w.upper})
         {
-            if (celli >= 0 && (thin || reaches(w)))
+            if (celli >= 0 && (thin || reaches[i]))
             {
                 const label at = walls.place(celli);
                 conductance[w.face] += w.area*d[at]/(thin ? all : inner)[at];
@@ -131,7 +135,13 @@ Foam::fsi::objectsConductance::conductance() const
 {
     const fvMesh& mesh = system_.grid.mesh();
     const label nInternal = mesh.nInternalFaces();
-    cellObjects objects{mesh, inside(), labelList()};
+    cellObjects objects
+    {
+        mesh.faceOwner(),
+        mesh.faceNeighbour(),
+        inside(),
+        labelList()
+    };
     swapCoupledCells(mesh, objects.object, objects.across);
 
     auto tg = tmp<scalarField>::New(mesh.nFaces());

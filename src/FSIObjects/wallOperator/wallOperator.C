@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallOperator.H"
+#include "fetchAhead.H"
 #include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -116,6 +117,7 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
 {
     nNodes_ = surfaces.points().size();
     pointObject_ = surfaces.pointObject();
+    pointStart_ = surfaces.pointStart();
     nObjects_ = surfaces.size();
     meanPressure_.setSize(nObjects_);
 
@@ -183,8 +185,14 @@ void Foam::fsi::wallOperator::gradientForce
     f.setSize(nNodes_);
     f = Zero;
     const scalarField& V = geometry_.grid().mesh().V();
-    for (const wallFace& w : faces)
+    forAll(faces, i)
     {
+        const wallFace& later = fetchedAhead(faces, i);
+        fetchAhead(g[max(later.lower, 0)]);
+        fetchAhead(g[max(later.upper, 0)]);
+        fetchAhead(f[later.place.nodes[0]]);
+
+        const wallFace& w = faces[i];
         for (const label celli : {w.lower, w.upper})
         {
             if (celli < 0)

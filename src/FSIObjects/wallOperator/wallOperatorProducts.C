@@ -70,10 +70,14 @@ void Foam::fsi::wallOperator::addFluxAtWalls
 {
     // Net flux 1.J v of each object: no exchange, the nodes are on all ranks
     scalarField& net = meanPressure_;
-    net = 0;
-    forAll(uniformForce_, nodei)
+    forAll(net, objecti)
     {
-        net[pointObject_[nodei]] += uniformForce_[nodei] & v[nodei];
+        scalar sum = 0;
+        for (label i = pointStart_[objecti]; i < pointStart_[objecti + 1]; ++i)
+        {
+            sum += uniformForce_[i] & v[i];
+        }
+        net[objecti] = sum;
     }
     addFluxLess(net, v, Jv);
 }
