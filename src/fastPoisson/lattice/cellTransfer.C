@@ -163,7 +163,7 @@ void Foam::fsi::cellTransfer::toCells
 
 void Foam::fsi::cellTransfer::gather
 (
-    const labelUList& cells,
+    const labelUList& places,
     const scalarField& block,
     scalarField& values
 ) const
@@ -176,10 +176,10 @@ void Foam::fsi::cellTransfer::gather
         }
         sendToCells();
     }
-    values.setSize(cells.size());
-    forAll(cells, i)
+    values.setSize(places.size());
+    forAll(places, i)
     {
-        const label place = places_[cells[i]];
+        const label place = places[i];
         values[i] = place < 0 ? sendBuffer_[-1 - place] : block[place];
     }
 }
@@ -187,15 +187,15 @@ void Foam::fsi::cellTransfer::gather
 
 void Foam::fsi::cellTransfer::add
 (
-    const labelUList& cells,
+    const labelUList& places,
     const scalarField& values,
     scalarField& block
 ) const
 {
     sendBuffer_ = 0;
-    forAll(cells, i)
+    forAll(places, i)
     {
-        const label place = places_[cells[i]];
+        const label place = places[i];
         (place < 0 ? sendBuffer_[-1 - place] : block[place]) += values[i];
     }
     if (!local_)

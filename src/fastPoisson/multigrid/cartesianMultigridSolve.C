@@ -11,18 +11,17 @@ Foam::scalar Foam::fsi::cartesianMultigrid::addSparse
     scalarField& Ap
 ) const
 {
-    const labelUList& cells = *term.cells();
-    lattice_.transfer().gather(cells, p, termX_);
-    termAx_.setSize(cells.size());
+    lattice_.transfer().gather(termPlaces_, p, termX_);
+    termAx_.setSize(termX_.size());
     termAx_ = Zero;
     term.add(termAx_, termX_);
     scalar dot = 0;
-    forAll(cells, i)
+    forAll(termAx_, i)
     {
         termAx_[i] *= matrix_.sign();
         dot += termAx_[i]*termX_[i];
     }
-    lattice_.transfer().add(cells, termAx_, Ap);
+    lattice_.transfer().add(termPlaces_, termAx_, Ap);
     return dot;
 }
 
@@ -141,6 +140,10 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
 {
     solverPerformance result("cartesianMG", fieldName);
     const cellTransfer& transfer = lattice_.transfer();
+    if (term && term->cells())
+    {
+        termPlaces_ = transfer.places(*term->cells());
+    }
 
     transfer.toBlock(psi, 1, x_.data());
     transfer.toBlock(source, matrix_.sign(), r_.data());
