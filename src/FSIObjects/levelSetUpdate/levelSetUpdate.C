@@ -3,6 +3,7 @@
 #include "levelSetUpdate.H"
 #include "blockInterpolation.H"
 #include "dictionaryCheck.H"
+#include "fetchSamples.H"
 #include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -60,15 +61,19 @@ Foam::autoPtr<Foam::fsi::levelSetUpdate> Foam::fsi::levelSetUpdate::New
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::levelSetUpdate::centreBubble(const point& p) const
+Foam::scalar Foam::fsi::levelSetUpdate::centreBubble
+(
+    const cartesianBlock& centres,
+    const cartesianBlock& corners,
+    const point& p
+) const
 {
     // The cell, and the largest distance from its centre in a direction
-    const cartesianBlock centres(grid_.cells(1));
-    const scalar h = grid_.spacing();
+    const scalar h = centres.spacing();
     labelVector ijk(labelVector::zero);
     point centre(p);
     scalar off = 0;
-    for (direction d = 0; d < grid_.nDims(); ++d)
+    for (direction d = 0; d < centres.nDims(); ++d)
     {
         const label i = std::floor((p[d] - centres.origin()[d])/h + 0.5);
         ijk[d] = i - centres.start()[d];
@@ -79,7 +84,7 @@ Foam::scalar Foam::fsi::levelSetUpdate::centreBubble(const point& p) const
     if
     (
         !centres.contains(ijk)
-     || !interpolateLinear(grid_.corners(), cornerDistance_, centre, mean)
+     || !interpolateLinear(corners, cornerDistance_, centre, mean)
     )
     {
         return 0;
@@ -91,7 +96,6 @@ Foam::scalar Foam::fsi::levelSetUpdate::centreBubble(const point& p) const
 void Foam::fsi::levelSetUpdate::setNearest(const surfaceSet& surfaces)
 {
     centreSamples_.update(surfaces, grid_.cells(1));
-    nearestFace_ = centreSamples_.nearestFace();
     object_ = centreSamples_.object();
     for (label& objecti : object_)
     {
@@ -105,8 +109,8 @@ void Foam::fsi::levelSetUpdate::setFromSurfaces(const surfaceSet& surfaces)
     setNearest(surfaces);
     cornerSamples_.update(surfaces, grid_.corners());
 
-    cellDistance_ = centreSamples_.distance();
-    cornerDistance_ = cornerSamples_.distance();
+    centreSamples_.swapDistance(cellDistance_);
+    cornerSamples_.swapDistance(cornerDistance_);
 }
 
 
@@ -117,14 +121,24 @@ Foam::scalar Foam::fsi::levelSetUpdate::misfit
     const surfaceSet& surfaces
 ) const
 {
+    const cartesianBlock centres(grid_.cells(1));
     const cartesianBlock corners(grid_.corners());
     scalar largest = 0;
     scalar value = 0;
-    for (const point& p : surfaces.points())
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        if (interpolateLinear(corners, cornerDistance_, p, value))
+        const boundBox box(surfaces.bounds(objecti));
+        fetchSamples(centres, box.min(), box.max(), cellDistance_);
+        fetchSamples(corners, box.min(), box.max(), cornerDistance_);
+        const label end = surfaces.pointStart()[objecti + 1];
+        for (label i = surfaces.pointStart()[objecti]; i < end; ++i)
         {
-            largest = max(largest, mag(value + centreBubble(p)));
+            const point& p = surfaces.points()[i];
+            if (interpolateLinear(corners, cornerDistance_, p, value))
+            {
+                value += centreBubble(centres, corners, p);
+                largest = max(largest, mag(value));
+            }
         }
     }
     return returnReduce(largest, maxOp<scalar>())/grid_.spacing();

@@ -15,21 +15,15 @@ static const scalar wider = 1.001;
 //- A slab that is steeper against x limits no row: the bounds do
 static const scalar smallestSlope = 1e-3;
 
-//- Sine of the angle between unit vectors, 1 beyond a right angle
-static scalar turn(const vector& a, const vector& b)
-{
-    const scalar cosine = a & b;
-    return cosine > 0 ? sqrt(max(1 - sqr(cosine), 0.0)) : 1;
-}
-
 } // End namespace fsi
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::faceReach::add
+void Foam::fsi::faceReach::set
 (
+    slab& s,
     const vector& normal,
     const point& a,
     const scalar lower,
@@ -38,16 +32,12 @@ void Foam::fsi::faceReach::add
 {
     if (mag(normal.x()) > smallestSlope)
     {
-        const scalar first = lower/normal.x();
-        const scalar second = upper/normal.x();
-        slabs_[nSlabs_++] =
-        {
-            a,
-            min(first, second),
-            max(first, second),
-            -normal.y()/normal.x(),
-            -normal.z()/normal.x()
-        };
+        const scalar perNormal = 1/normal.x();
+        s.origin = a;
+        s.lower = min(lower*perNormal, upper*perNormal);
+        s.upper = max(lower*perNormal, upper*perNormal);
+        s.slopeY = -normal.y()*perNormal;
+        s.slopeZ = -normal.z()*perNormal;
     }
 }
 
@@ -57,21 +47,17 @@ void Foam::fsi::faceReach::add
 Foam::fsi::faceReach::faceReach
 (
     const point& a,
-    const point& b,
-    const vector& beforeA,
-    const vector& afterB,
+    const vector& along,
+    const scalar length,
+    const scalar turnA,
+    const scalar turnB,
     const scalar width
 )
-:
-    nSlabs_(0)
 {
     const scalar w = wider*width;
-    const vector edge(b - a);
-    const scalar length = mag(edge);
-    const vector along(edge/max(length, VSMALL));
     const vector normal(along.y(), -along.x(), 0);
-    const scalar lower = -w*turn(beforeA, along) - (w - width);
-    const scalar upper = length + w*turn(along, afterB) + (w - width);
+    const scalar lower = -w*turnA - (w - width);
+    const scalar upper = length + w*turnB + (w - width);
 
     // The corners of a rectangle; all about a segment without length
     const bool degenerate = !(length > VSMALL);
@@ -84,8 +70,8 @@ Foam::fsi::faceReach::faceReach
 
     if (!degenerate)
     {
-        add(normal, a, -w, w);
-        add(along, a, lower, upper);
+        set(slabs_[0], normal, a, -w, w);
+        set(slabs_[1], along, a, lower, upper);
     }
 }
 
@@ -98,13 +84,12 @@ Foam::fsi::faceReach::faceReach
     const scalar width
 )
 :
-    bounds_(bounds),
-    nSlabs_(0)
+    bounds_(bounds)
 {
     const scalar w = wider*width;
     bounds_.min() -= vector::uniform(w);
     bounds_.max() += vector::uniform(w);
-    add(normal, a, -w, w);
+    set(slabs_[0], normal, a, -w, w);
 }
 
 

@@ -17,8 +17,7 @@ static label firstBehind(const cartesianBlock& block, const scalar x)
     const label begin = block.start().x();
     const label end = begin + block.n().x();
 
-    label i, last;
-    block.range(x, x, 0, i, last);
+    label i = begin + block.nUpTo(x, 0);
     while (i > begin && block.latticePosition(i - 1, 0) > x)
     {
         --i;
@@ -44,12 +43,14 @@ void Foam::fsi::insideScan::addSegment
     const label k
 )
 {
-    label first, last;
-    block.range(min(a.y(), b.y()), max(a.y(), b.y()), 1, first, last);
+    // One row more at either end, for round-off
+    const label first = max(block.nUpTo(min(a.y(), b.y()), 1) - 1, 0);
+    const label end =
+        min(block.nUpTo(max(a.y(), b.y()), 1) + 1, block.n().y());
 
-    for (label j = first; j <= last; ++j)
+    for (label j = first; j < end; ++j)
     {
-        const scalar y = block.latticePosition(j, 1);
+        const scalar y = block.latticePosition(block.start().y() + j, 1);
         if ((a.y() <= y) == (b.y() <= y))
         {
             continue;
@@ -57,7 +58,7 @@ void Foam::fsi::insideScan::addSegment
         const scalar x =
             a.x() + (y - a.y())/(b.y() - a.y())*(b.x() - a.x());
 
-        const int64_t row = j - block.start().y() + block.n().y()*k;
+        const int64_t row = j + block.n().y()*k;
         crossings_.append(row*(block.n().x() + 1) + firstBehind(block, x));
     }
 }

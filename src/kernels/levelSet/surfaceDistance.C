@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surfaceDistance.H"
+#include "fetchSamples.H"
 #include "triangleProjection.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -48,32 +49,6 @@ void Foam::fsi::surfaceDistance::check
 }
 
 
-bool Foam::fsi::surfaceDistance::isNear
-(
-    const boundBox& bounds,
-    const cartesianBlock& block
-) const
-{
-    for (direction dir = 0; dir < block.nDims(); ++dir)
-    {
-        label first, last;
-        block.range
-        (
-            bounds.min()[dir] - bandWidth_,
-            bounds.max()[dir] + bandWidth_,
-            dir,
-            first,
-            last
-        );
-        if (first > last)
-        {
-            return false;
-        }
-    }
-    return true;
-}
-
-
 template<class Projection>
 void Foam::fsi::surfaceDistance::addFace
 (
@@ -83,32 +58,26 @@ void Foam::fsi::surfaceDistance::addFace
     const cartesianBlock& block
 )
 {
-    // range() takes the samples beside the limits too: these are wide enough
-    const scalar h = block.spacing();
-    const point lower(reach.bounds().min() + vector::uniform(h));
-    const point upper(reach.bounds().max() - vector::uniform(h));
-    labelVector first(0, 0, 0), last(0, 0, 0);
-    for (direction dir = 0; dir < block.nDims(); ++dir)
+    labelVector first(0, 0, 0), end(1, 1, 1);
+    for (direction dir = 1; dir < block.nDims(); ++dir)
     {
-        block.range(lower[dir], upper[dir], dir, first[dir], last[dir]);
+        first[dir] = block.nUpTo(reach.bounds().min()[dir], dir);
+        end[dir] = block.nUpTo(reach.bounds().max()[dir], dir);
     }
 
-    const labelVector& start = block.start();
-    for (label k = first.z(); k <= last.z(); ++k)
+    for (label k = first.z(); k < end.z(); ++k)
     {
-        for (label j = first.y(); j <= last.y(); ++j)
+        for (label j = first.y(); j < end.y(); ++j)
         {
-            point p(block.position(labelVector(0, j, k) - start));
+            point p(block.position(labelVector(0, j, k)));
             scalar from, to;
-            label begin, end;
             reach.row(p, from, to);
-            block.range(from + h, to - h, 0, begin, end);
-
-            const label row =
-                block.index(0, j - start.y(), k - start.z()) - start.x();
-            for (label i = begin; i <= end; ++i)
+            const label begin = block.nUpTo(from, 0);
+            const label behind = block.nUpTo(to, 0);
+            const label row = block.index(0, j, k);
+            for (label i = begin; i < behind; ++i)
             {
-                p.x() = block.latticePosition(i, 0);
+                p.x() = block.latticePosition(block.start().x() + i, 0);
                 const scalar distance = face.distanceSqr(p);
                 if (distance < clearlyLess*distance_[row + i])
                 {
@@ -128,45 +97,57 @@ void Foam::fsi::surfaceDistance::addSegments
     const cartesianBlock& block
 )
 {
-    const labelList& pointStart = surfaces.pointStart();
-    const labelList& faceStart = surfaces.faceStart();
-    const label firstPoint = pointStart[objecti];
+    const label firstNode = surfaces.pointStart()[objecti];
+    const label firstFace = surfaces.faceStart()[objecti];
+    const label nFaces = surfaces.faceStart()[objecti + 1] - firstFace;
 
-    // Directions of the faces that end and begin at each node
-    before_.setSize(pointStart[objecti + 1] - firstPoint);
-    after_.setSize(before_.size());
-    before_ = Zero;
-    after_ = Zero;
-    const auto ends = [&](const label facei, point& a, point& b)
+    endsAt_.setSize(surfaces.pointStart()[objecti + 1] - firstNode);
+    beginsAt_.setSize(endsAt_.size());
+    endsAt_ = -1;
+    beginsAt_ = -1;
+    along_.setSize(nFaces);
+    length_.setSize(nFaces);
+    const auto ends = [&](const label i, point& a, point& b)
     {
         // Distances in the plane, wherever the samples lie in z
-        const surfaceFace& f = surfaces.faces()[facei];
+        const surfaceFace& f = surfaces.faces()[firstFace + i];
         a = surfaces.points()[f[0]];
         b = surfaces.points()[f[1]];
         a.z() = b.z() = block.position(0).z();
     };
     point a, b;
-    for (label i = faceStart[objecti]; i < faceStart[objecti + 1]; ++i)
+    for (label i = 0; i < nFaces; ++i)
     {
-        const surfaceFace& f = surfaces.faces()[i];
+        const surfaceFace& f = surfaces.faces()[firstFace + i];
         ends(i, a, b);
-        const vector along((b - a)/max(mag(b - a), VSMALL));
-        after_[f[0] - firstPoint] = along;
-        before_[f[1] - firstPoint] = along;
+        length_[i] = mag(b - a);
+        along_[i] = (1/max(length_[i], VSMALL))*(b - a);
+        beginsAt_[f[0] - firstNode] = i;
+        endsAt_[f[1] - firstNode] = i;
     }
-    for (label i = faceStart[objecti]; i < faceStart[objecti + 1]; ++i)
+
+    // Of the two faces at a node the first one has what lies beyond both
+    const auto turn = [&](const label i, const label other)
     {
-        const surfaceFace& f = surfaces.faces()[i];
+        return
+            other < 0 ? 1
+          : other < i ? 0
+          : faceReach::turn(along_[i], along_[other]);
+    };
+    for (label i = 0; i < nFaces; ++i)
+    {
+        const surfaceFace& f = surfaces.faces()[firstFace + i];
         ends(i, a, b);
         const faceReach reach
         (
             a,
-            b,
-            before_[f[0] - firstPoint],
-            after_[f[1] - firstPoint],
+            along_[i],
+            length_[i],
+            turn(i, endsAt_[f[0] - firstNode]),
+            turn(i, beginsAt_[f[1] - firstNode]),
             bandWidth_
         );
-        addFace(segmentProjection(a, b), i, reach, block);
+        addFace(segmentProjection(a, b), firstFace + i, reach, block);
     }
 }
 
@@ -243,9 +224,17 @@ void Foam::fsi::surfaceDistance::update
     nearestFace_ = -1;
     object_ = -1;
 
+    const vector width(vector::uniform(bandWidth_));
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        if (isNear(surfaces.bounds(objecti), block))
+        const boundBox bounds(surfaces.bounds(objecti));
+        if
+        (
+            fetchSamples
+            (
+                block, bounds.min() - width, bounds.max() + width, distance_
+            )
+        )
         {
             if (surfaces.nDims() == 2)
             {
