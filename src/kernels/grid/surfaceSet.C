@@ -122,7 +122,7 @@ void Foam::fsi::surfaceSet::clear()
 }
 
 
-Foam::point Foam::fsi::surfaceSet::nearestOnFace
+Foam::point Foam::fsi::surfaceSet::nearestOnTriangle
 (
     const label facei,
     const point& p,
@@ -130,47 +130,9 @@ Foam::point Foam::fsi::surfaceSet::nearestOnFace
 ) const
 {
     const surfaceFace& f = faces_[facei];
-
-    weights =
-        nDims_ == 2
-      ? segmentProjection(points_[f[0]], points_[f[1]]).weights(p)
-      : triangleProjection
-        (
-            points_[f[0]],
-            points_[f[1]],
-            points_[f[2]]
-        ).weights(p);
-
+    const triangleProjection face(points_[f[0]], points_[f[1]], points_[f[2]]);
+    weights = face.weights(p);
     return interpolate(points_, facei, weights);
-}
-
-
-Foam::label Foam::fsi::surfaceSet::nextFace
-(
-    const label facei,
-    const bool forwards
-) const
-{
-    const label objecti = faceObject_[facei];
-    const label start = faceStart_[objecti];
-    const label n = faceStart_[objecti + 1] - start;
-    const label next = start + (facei - start + (forwards ? 1 : n - 1)) % n;
-    const label first = forwards ? facei : next;
-    const label second = forwards ? next : facei;
-    return nDims_ == 2 && faces_[first][1] == faces_[second][0] ? next : -1;
-}
-
-
-Foam::vector Foam::fsi::surfaceSet::areaNormal(const label facei) const
-{
-    const surfaceFace& f = faces_[facei];
-    const vector u(points_[f[1]] - points_[f[0]]);
-
-    if (nDims_ == 2)
-    {
-        return vector(u.y(), -u.x(), 0);
-    }
-    return 0.5*(u ^ (points_[f[2]] - points_[f[0]]));
 }
 
 
