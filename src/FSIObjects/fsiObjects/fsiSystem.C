@@ -193,14 +193,12 @@ void Foam::fsi::fsiSystem::fromBoundary
         for (label copyi = 0; copyi < nCopies; ++copyi)
         {
             const label first = start[objects.objectIndex(groupi, copyi)];
+            const scalar* x = b.col(nDims*copyi).data();
+            const scalar* y = x + b.rows();
+            const scalar* z = nDims == 3 ? y + b.rows() : nullptr;
             for (label i = 0; i < nNodes; ++i)
             {
-                vector& v = surface[first + i];
-                v = Zero;
-                for (direction d = 0; d < nDims; ++d)
-                {
-                    v[d] = b(i, nDims*copyi + d);
-                }
+                surface[first + i] = vector(x[i], y[i], z ? z[i] : 0);
             }
         }
     }
