@@ -116,6 +116,63 @@ void Foam::fsi::contactGeometry::update(const surfaceSet& surfaces)
 }
 
 
+Foam::fsi::contactGeometry::nodeGroup Foam::fsi::contactGeometry::group
+(
+    const surfaceSet& surfaces,
+    const label begin,
+    const label end
+) const
+{
+    nodeGroup g;
+    g.object = surfaces.pointObject()[begin];
+    g.leastNormalSqr = GREAT;
+    for (label nodei = begin; nodei < end; ++nodei)
+    {
+        g.places.add(surfaces.points()[nodei]);
+        g.normals.add(nodeNormals_[nodei]);
+        g.leastNormalSqr = min(g.leastNormalSqr, magSqr(nodeNormals_[nodei]));
+    }
+    return g;
+}
+
+
+bool Foam::fsi::contactGeometry::mayPair
+(
+    const nodeGroup& nodes,
+    const label object,
+    const label facei,
+    const point& centre,
+    const scalar reach
+) const
+{
+    const point& lower = nodes.places.min();
+    const point& upper = nodes.places.max();
+    if (magSqr(centre - max(min(centre, upper), lower)) >= sqr(reach))
+    {
+        return false;
+    }
+    if (object != nodes.object)
+    {
+        return true;
+    }
+
+    // The most opposed normal, see opposed(), and how far in front of the
+    // face's plane a node is at most, see inFront()
+    const vector& n = faceNormals_[facei];
+    const vector& a = nodes.normals.min();
+    const vector& b = nodes.normals.max();
+    const scalar along = cmptSum(min(cmptMultiply(a, n), cmptMultiply(b, n)));
+    const scalar front = cmptSum
+    (
+        max(cmptMultiply(lower - centre, n), cmptMultiply(upper - centre, n))
+    );
+    return
+        selfContact_
+     && along < 0 && sqr(along) > 0.249*nodes.leastNormalSqr
+     && front > -1e-6*reach;
+}
+
+
 void Foam::fsi::contactGeometry::consider
 (
     const surfaceSet& surfaces,

@@ -12,6 +12,19 @@ namespace fsi
     defineTypeNameAndDebug(surfaceCellSearch, 0);
     addToRunTimeSelectionTable(contactSearch, surfaceCellSearch, dictionary);
 
+    //- Nodes that are tried together
+    static const label groupSize = 5;
+
+    //- Most cubes beside each other that a group may lie in
+    static const label maxCubes = 4;
+
+    //- Largest whole number up to x; std::floor is a call
+    static long below(const scalar x)
+    {
+        const long i = long(x);
+        return i - (x < i);
+    }
+
     //- Mean of a face's nodes [m]
     static point centre(const surfaceSet& surfaces, const surfaceFace& f)
     {
@@ -41,12 +54,7 @@ Foam::fsi::surfaceCellSearch::surfaceCellSearch(const dictionary& dict)
 Foam::fsi::surfaceCellSearch::cube
 Foam::fsi::surfaceCellSearch::cubeOf(const point& p) const
 {
-    return
-    {
-        long(std::floor(p.x()/side_)),
-        long(std::floor(p.y()/side_)),
-        long(std::floor(p.z()/side_))
-    };
+    return {below(p.x()/side_), below(p.y()/side_), below(p.z()/side_)};
 }
 
 
@@ -97,24 +105,102 @@ void Foam::fsi::surfaceCellSearch::sort
 }
 
 
+template<class Action>
+bool Foam::fsi::surfaceCellSearch::anyInRow
+(
+    const label firstSlot,
+    const label nCubes,
+    const Action& action
+) const
+{
+    // Cubes side by side have slots side by side, or go on at the table's
+    // begin
+    const label nSlots = start_.size() - 1;
+    const label endSlot = min(firstSlot + nCubes, nSlots);
+    const label nBegin = start_[firstSlot + nCubes - endSlot];
+    for (label i = start_[firstSlot]; i < start_[endSlot]; ++i)
+    {
+        if (action(i))
+        {
+            return true;
+        }
+    }
+    for (label i = 0; i < nBegin; ++i)
+    {
+        if (action(i))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+bool Foam::fsi::surfaceCellSearch::mayPair
+(
+    const surfaceSet& surfaces,
+    const label begin,
+    const label end
+) const
+{
+    const contactGeometry::nodeGroup nodes
+    (
+        geometry_.group(surfaces, begin, end)
+    );
+    const cube first = cubeOf(nodes.places.min());
+    const cube last = cubeOf(nodes.places.max());
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (last[d] - first[d] >= maxCubes)
+        {
+            return true;
+        }
+    }
+
+    const label nz = surfaces.nDims() == 3 ? 1 : 0;
+    const label width = last[0] - first[0] + 3;
+    bool any = width >= start_.size();
+    for (long k = first[2] - nz; k <= last[2] + nz && !any; ++k)
+    {
+        for (long j = first[1] - 1; j <= last[1] + 1 && !any; ++j)
+        {
+            any = anyInRow(slot(first[0] - 1, j, k), width, [&](const label i)
+            {
+                return geometry_.mayPair
+                (
+                    nodes, objects_[i], faces_[i], centres_[i], reach_
+                );
+            });
+        }
+    }
+    return any;
+}
+
+
 void Foam::fsi::surfaceCellSearch::visit
 (
     const surfaceSet& surfaces,
     const label nodei,
-    const label firstSlot,
-    const label endSlot,
     const scalar range
 )
 {
     const label own =
         geometry_.selfContact() ? -1 : surfaces.pointObject()[nodei];
     const point& x = surfaces.points()[nodei];
-
-    for (label i = start_[firstSlot]; i < start_[endSlot]; ++i)
+    const cube c = cubeOf(x);
+    const label nz = surfaces.nDims() == 3 ? 1 : 0;
+    for (long k = c[2] - nz; k <= c[2] + nz; ++k)
     {
-        if (objects_[i] != own && magSqr(centres_[i] - x) < sqr(reach_))
+        for (long j = c[1] - 1; j <= c[1] + 1; ++j)
         {
-            geometry_.consider(surfaces, nodei, faces_[i], range);
+            anyInRow(slot(c[0] - 1, j, k), 3, [&](const label i)
+            {
+                if (objects_[i] != own && magSqr(centres_[i] - x) < sqr(reach_))
+                {
+                    geometry_.consider(surfaces, nodei, faces_[i], range);
+                }
+                return false;
+            });
         }
     }
 }
@@ -135,29 +221,29 @@ void Foam::fsi::surfaceCellSearch::find
     geometry_.update(surfaces);
     sort(surfaces, range);
 
-    const label nz = surfaces.nDims() == 3 ? 1 : 0;
-    forAll(surfaces.points(), nodei)
+    const pointField& x = surfaces.points();
+    const labelList& pointStart = surfaces.pointStart();
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        const point& x = surfaces.points()[nodei];
-        const cube c = cubeOf(x);
-        for (long k = c[2] - nz; k <= c[2] + nz; ++k)
+        const label endNode = pointStart[objecti + 1];
+        bool near = false;
+        for (label nodei = pointStart[objecti]; nodei < endNode; ++nodei)
         {
-            for (long j = c[1] - 1; j <= c[1] + 1; ++j)
+            if ((nodei - pointStart[objecti]) % groupSize == 0)
             {
-                // Three cubes side by side have slots side by side, or go on
-                // at the table's begin
-                const label nSlots = start_.size() - 1;
-                const label sloti = slot(c[0] - 1, j, k);
-                const label end = sloti + 3;
-                visit(surfaces, nodei, sloti, min(end, nSlots), range);
-                if (end > nSlots)
-                {
-                    visit(surfaces, nodei, 0, end - nSlots, range);
-                }
+                const label end = min(nodei + groupSize, endNode);
+                near = mayPair(surfaces, nodei, end);
             }
+            if (near)
+            {
+                visit(surfaces, nodei, range);
+                geometry_.append(surfaces, nodei, found.pairs);
+            }
+            contactGeometry::appendWalls
+            (
+                x[nodei], nodei, walls, range, found.pairs
+            );
         }
-        geometry_.append(surfaces, nodei, found.pairs);
-        contactGeometry::appendWalls(x, nodei, walls, range, found.pairs);
     }
 }
 

@@ -25,6 +25,24 @@ TEST(ContactSearch, cellsFindWhatBruteForceFindsInSpace)
 }
 
 
+TEST(ContactSearch, cellsFindAllPairsOfWavyAndFoldedOutlines)
+{
+    const surfaceSet surfaces(wavyOutlines(40, 63));
+    for (const scalar range : {0.1, 0.4})
+    {
+        const contactPairs found(contactsOf(surfaces, range));
+        label nOwn = 0;
+        for (const contactPair& p : found.pairs)
+        {
+            nOwn += p.other == surfaces.pointObject()[p.node];
+        }
+        EXPECT_GT(nOwn, 50);
+        EXPECT_GT(found.pairs.size() - nOwn, 10);
+        expectSame(found, bruteForce(surfaces, range, true));
+    }
+}
+
+
 TEST(ContactSearch, gapIsNegativeInside)
 {
     surfaceSet surfaces(2);
