@@ -107,16 +107,25 @@ Foam::labelList Foam::fsi::colouredMatrix::setSlots()
         }
     }
 
+    setSizes(nRows);
+    return neighbourRow;
+}
+
+
+void Foam::fsi::colouredMatrix::setSizes(const label nRows)
+{
     // Slots that no face has stay zero
+    const label nCells = rowOf_.size();
     coefficient_.setSize(nSlots_*nCells, 0);
     symmetric_.setSize(nCells);
     antisymmetric_.setSize(nCells);
     diagonal_.setSize(nDims_*nCells);
     source_.setSize(nDims_*nCells);
-    x_.setSize(nDims_*nRows);
-    x_ = 0;
-
-    return neighbourRow;
+    x_.setSize(nDims_*nRows, 0);
+    singleCoefficient_.setSize(coefficient_.size());
+    singleDiagonal_.setSize(diagonal_.size());
+    residual_.setSize(source_.size());
+    correction_.setSize(x_.size(), 0);
 }
 
 
@@ -202,6 +211,7 @@ void Foam::fsi::colouredMatrix::setRelaxation()
     }
     reduce(alpha, maxOp<scalar>());
     reduce(beta, maxOp<scalar>());
+    jacobiRadius_ = alpha;
     relaxation_ = 2/(1 + Foam::sqrt(max(1 - sqr(alpha), 0.0) + sqr(beta)));
 }
 
@@ -215,7 +225,12 @@ Foam::fsi::colouredMatrix::colouredMatrix(const cartesianMesh& grid)
     nSlots_(2*grid.nDims()),
     nRed_(0),
     nRedRuns_(0),
-    relaxation_(1)
+    correctionScale_(1),
+    nSweeps_(0),
+    firstResidual_(0),
+    lastResidual_(0),
+    relaxation_(1),
+    jacobiRadius_(0)
 {
     setRows();
     setRuns(setSlots());
@@ -229,6 +244,7 @@ void Foam::fsi::colouredMatrix::set(const fvVectorMatrix& equation)
     setCoefficients(equation);
     setDiagonal(equation);
     setRelaxation();
+    correction_ = 0;
 }
 
 
@@ -259,11 +275,13 @@ void Foam::fsi::colouredMatrix::get(vectorField& U) const
 
 void Foam::fsi::colouredMatrix::addTo(vectorField& U) const
 {
+    const scalar scale = 1/correctionScale_;
     forAll(rowOf_, celli)
     {
         for (label d = 0; d < nDims_; ++d)
         {
-            U[celli][d] += x_[nDims_*rowOf_[celli] + d];
+            const label i = nDims_*rowOf_[celli] + d;
+            U[celli][d] += x_[i] + scale*correction_[i];
         }
     }
 }

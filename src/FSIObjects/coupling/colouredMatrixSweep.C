@@ -1,101 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "colouredMatrix.H"
+#include "colouredRows.H"
 #include "processorPolyPatch.H"
 #include "PstreamBuffers.H"
-#include "vectorClones.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Rows that follow each other, and what they are relaxed with
-struct relaxedRows
-{
-    const scalar* coefficient;
-    const scalar* diagonal;
-    const scalar* source;
-    scalar* x;
-    scalar relaxation;
-};
-
-
-//- Relax rows first to last - 1, whose neighbours are at offsets; sum of the
-//  squared residuals before
-template<int nCmpts>
-FSI_INLINE scalar relaxRun
-(
-    const relaxedRows& rows,
-    const label first,
-    const label last,
-    const label* offset
-)
-{
-    constexpr int nSlots = 2*nCmpts;
-    const scalar* __restrict__ coefficient = rows.coefficient;
-    const scalar* __restrict__ diagonal = rows.diagonal;
-    const scalar* __restrict__ source = rows.source;
-    const scalar relaxation = rows.relaxation;
-
-    // Values of a run are written, those of its neighbours read
-    scalar* __restrict__ x = rows.x;
-    const scalar* __restrict__ other[nSlots];
-    for (int k = 0; k < nSlots; ++k)
-    {
-        other[k] = rows.x + nCmpts*offset[k];
-    }
-
-    scalar squares[nCmpts] = {};
-    for (label row = first; row < last; ++row)
-    {
-        for (int d = 0; d < nCmpts; ++d)
-        {
-            const label i = nCmpts*row + d;
-            scalar residual = source[i] - diagonal[i]*x[i];
-            for (int k = 0; k < nSlots; ++k)
-            {
-                residual -= coefficient[nSlots*row + k]*other[k][i];
-            }
-            x[i] += relaxation*residual/diagonal[i];
-            squares[d] += residual*residual;
-        }
-    }
-    scalar sum = 0;
-    for (int d = 0; d < nCmpts; ++d)
-    {
-        sum += squares[d];
-    }
-    return sum;
-}
-
-
-//- The same for a number of components
-FSI_AVX2_CLONES
-scalar relaxRun
-(
-    const label nCmpts,
-    const relaxedRows& rows,
-    const label first,
-    const label last,
-    const label* offset
-)
-{
-    return
-        nCmpts == 2
-      ? relaxRun<2>(rows, first, last, offset)
-      : relaxRun<3>(rows, first, last, offset);
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
+#include <limits>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::colouredMatrix::exchange() const
+template<class Type>
+void Foam::fsi::colouredMatrix::exchange(Field<Type>& x) const
 {
     if (!Pstream::parRun())
     {
@@ -109,12 +24,12 @@ void Foam::fsi::colouredMatrix::exchange() const
         if (ghostStart_[patchi] >= 0)
         {
             const labelUList& cells = patches[patchi].faceCells();
-            scalarField values(nDims_*cells.size());
+            Field<Type> values(nDims_*cells.size());
             forAll(cells, i)
             {
                 for (label d = 0; d < nDims_; ++d)
                 {
-                    values[nDims_*i + d] = value(rowOf_[cells[i]])[d];
+                    values[nDims_*i + d] = x[nDims_*rowOf_[cells[i]] + d];
                 }
             }
             UOPstream to
@@ -138,11 +53,11 @@ void Foam::fsi::colouredMatrix::exchange() const
                 buffers
             );
             label theirs;
-            scalarField values;
+            Field<Type> values;
             from >> theirs >> values;
-            SubList<scalar>
+            SubList<Type>
             (
-                x_,
+                x,
                 values.size(),
                 nDims_*ghostStart_[patchi]
             ) = values;
@@ -220,14 +135,14 @@ Foam::scalar Foam::fsi::colouredMatrix::relax
     const scalar relaxation
 )
 {
-    exchange();
+    exchange(correction_);
     const relaxedRows rows
     {
-        coefficient_.cdata(),
-        diagonal_.cdata(),
-        source_.cdata(),
-        x_.data(),
-        relaxation
+        singleCoefficient_.cdata(),
+        singleDiagonal_.cdata(),
+        residual_.cdata(),
+        correction_.data(),
+        floatScalar(relaxation)
     };
     const label end = red ? nRedRuns_ : runs_.size();
     scalar squares = 0;
@@ -241,36 +156,114 @@ Foam::scalar Foam::fsi::colouredMatrix::relax
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::fsi::colouredMatrix::sweep(const scalar relaxation)
+Foam::scalar Foam::fsi::colouredMatrix::norm(const scalar squares) const
 {
-    scalar squares = relax(true, relaxation);
-    squares += relax(false, relaxation);
     return Foam::sqrt(returnReduce(squares, sumOp<scalar>()));
 }
 
 
-Foam::scalar Foam::fsi::colouredMatrix::sweepFromZero
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::colouredMatrix::startCorrection(const scalar norm)
+{
+    exchange(x_);
+    correctionScale_ = 1/norm;
+    const residualRows rows
+    {
+        coefficient_.cdata(),
+        diagonal_.cdata(),
+        source_.cdata(),
+        x_.cdata(),
+        singleCoefficient_.data(),
+        singleDiagonal_.data(),
+        residual_.data(),
+        correctionScale_
+    };
+    for (const run& r : runs_)
+    {
+        residualRun(nDims_, rows, r.first, r.last, r.offset.cdata());
+    }
+    nSweeps_ = 0;
+}
+
+
+Foam::scalar Foam::fsi::colouredMatrix::startFromZero
 (
     const vectorField& source
 )
 {
     scalar squares = 0;
+    for (const vector& s : source)
+    {
+        for (label d = 0; d < nDims_; ++d)
+        {
+            squares += sqr(s[d]);
+        }
+    }
+    const scalar sourceNorm = norm(squares);
+    correctionScale_ = 1/(sourceNorm + VSMALL);
     forAll(rowOf_, celli)
     {
         const bool red = rowOf_[celli] < nRed_;
         const label place = nDims_*rowOf_[celli];
         for (label d = 0; d < nDims_; ++d)
         {
-            const scalar b = source[celli][d];
-            source_[place + d] = b;
-            x_[place + d] = red ? b/diagonal_[place + d] : 0;
-            squares += sqr(b);
+            const floatScalar b(correctionScale_*source[celli][d]);
+            source_[place + d] = source[celli][d];
+            x_[place + d] = 0;
+            residual_[place + d] = b;
+            correction_[place + d] = red ? b/singleDiagonal_[place + d] : 0;
         }
     }
     relax(false, 1);
-    return Foam::sqrt(returnReduce(squares, sumOp<scalar>()));
+    nSweeps_ = 1;
+    firstResidual_ = lastResidual_ = 1;
+    return sourceNorm;
+}
+
+
+Foam::scalar Foam::fsi::colouredMatrix::sweep(const scalar relaxation)
+{
+    scalar squares = relax(true, relaxation);
+    squares += relax(false, relaxation);
+    lastResidual_ = norm(squares);
+    if (nSweeps_++ == 0)
+    {
+        firstResidual_ = lastResidual_;
+    }
+    return lastResidual_;
+}
+
+
+Foam::scalar Foam::fsi::colouredMatrix::dropAtOnce() const
+{
+    // The residual's rounding error is that of diagonal times correction,
+    // which is the residual over 1 - jacobiRadius at most. 30 times away from
+    // it nothing shows
+    const scalar rounding =
+        std::numeric_limits<floatScalar>::epsilon()
+       /max(1 - jacobiRadius_, SMALL);
+    return min(30*rounding, scalar(0.1));
+}
+
+
+void Foam::fsi::colouredMatrix::addCorrection()
+{
+    const scalar scale = 1/correctionScale_;
+    const label nValues = source_.size();
+    for (label i = 0; i < nValues; ++i)
+    {
+        x_[i] += scale*correction_[i];
+    }
+    correction_ = 0;
+}
+
+
+bool Foam::fsi::colouredMatrix::exhausted() const
+{
+    return
+        nSweeps_ >= maxSweeps
+     || (nSweeps_ > 0 && lastResidual_ < dropAtOnce()*firstResidual_);
 }
 
 

@@ -2,6 +2,8 @@
 
 #include "linkOperator.H"
 
+#include <type_traits>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -30,6 +32,20 @@ Foam::fsi::linkOperator::linkOperator
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Action>
+void Foam::fsi::linkOperator::forDims(const Action& action) const
+{
+    if (nDims_ == 2)
+    {
+        action(std::integral_constant<int, 2>());
+    }
+    else
+    {
+        action(std::integral_constant<int, 3>());
+    }
+}
+
 
 void Foam::fsi::linkOperator::chain
 (
@@ -93,33 +109,88 @@ void Foam::fsi::linkOperator::sortRows()
 }
 
 
+void Foam::fsi::linkOperator::keepValues()
+{
+    values_.clear();
+    for (const label row : rows_)
+    {
+        for (label d = 0; d < nDims_; ++d)
+        {
+            values_.append(matrix_.value(row)[d]);
+        }
+    }
+}
+
+
+template<int nDims>
+inline Foam::FixedList<Foam::scalar, nDims> Foam::fsi::linkOperator::ofWalls
+(
+    const label rowi,
+    const vectorField& v,
+    const scalar scale
+) const
+{
+    FixedList<scalar, nDims> sum(Zero);
+    for (label j = start_[rowi]; j < start_[rowi + 1]; ++j)
+    {
+        const entry& link = entries_[j];
+        const vector& a = v[link.nodeA];
+        const vector& b = v[link.nodeB];
+        for (int d = 0; d < nDims; ++d)
+        {
+            sum[d] += scale*(link.partA*a[d] + link.partB*b[d]);
+        }
+    }
+    return sum;
+}
+
+
 template<int nDims>
 void Foam::fsi::linkOperator::doSetSources(const vectorField& v)
 {
     forAll(rows_, i)
     {
-        const label next = rows_[min(i + ahead, rows_.size() - 1)];
-        __builtin_prefetch(matrix_.source(next), 1);
-
-        FixedList<scalar, nDims> sum;
-        for (int d = 0; d < nDims; ++d)
-        {
-            sum[d] = sources_[nDims*i + d];
-        }
-        for (label j = start_[i]; j < start_[i + 1]; ++j)
-        {
-            const entry& link = entries_[j];
-            const vector& a = v[link.nodeA];
-            const vector& b = v[link.nodeB];
-            for (int d = 0; d < nDims; ++d)
-            {
-                sum[d] += link.partA*a[d] + link.partB*b[d];
-            }
-        }
+        const FixedList<scalar, nDims> part(ofWalls<nDims>(i, v, 1));
         scalar* source = matrix_.source(rows_[i]);
         for (int d = 0; d < nDims; ++d)
         {
-            source[d] = sum[d];
+            source[d] = sources_[nDims*i + d] + part[d];
+        }
+    }
+}
+
+
+template<int nDims>
+void Foam::fsi::linkOperator::doStartCorrection(const vectorField& v)
+{
+    const scalar scale = matrix_.correctionScale();
+    residuals_.setSize(sources_.size());
+    forAll(rows_, i)
+    {
+        const FixedList<scalar, nDims> part(ofWalls<nDims>(i, v, scale));
+        const floatScalar* residual = matrix_.residual(rows_[i]);
+        for (int d = 0; d < nDims; ++d)
+        {
+            residuals_[nDims*i + d] = residual[d] - part[d];
+        }
+    }
+}
+
+
+template<int nDims>
+void Foam::fsi::linkOperator::doSetResiduals(const vectorField& v)
+{
+    const scalar scale = matrix_.correctionScale();
+    forAll(rows_, i)
+    {
+        const label next = rows_[min(i + ahead, rows_.size() - 1)];
+        __builtin_prefetch(matrix_.residual(next), 1);
+
+        const FixedList<scalar, nDims> part(ofWalls<nDims>(i, v, scale));
+        floatScalar* residual = matrix_.residual(rows_[i]);
+        for (int d = 0; d < nDims; ++d)
+        {
+            residual[d] = floatScalar(residuals_[nDims*i + d] + part[d]);
         }
     }
 }
@@ -132,20 +203,25 @@ void Foam::fsi::linkOperator::doAddForce
     vectorField& force
 ) const
 {
+    const scalar scale = 1/matrix_.correctionScale();
     forAll(rows_, i)
     {
         const label next = rows_[min(i + ahead, rows_.size() - 1)];
-        __builtin_prefetch(matrix_.value(next));
+        __builtin_prefetch(matrix_.correction(next));
 
-        const scalar* u = matrix_.value(rows_[i]);
+        const floatScalar* correction = matrix_.correction(rows_[i]);
+        FixedList<scalar, nDims> momentum;
+        for (int d = 0; d < nDims; ++d)
+        {
+            momentum[d] = density*(values_[nDims*i + d] + scale*correction[d]);
+        }
         for (label j = start_[i]; j < start_[i + 1]; ++j)
         {
             const entry& link = entries_[j];
             for (int d = 0; d < nDims; ++d)
             {
-                const scalar momentum = density*u[d];
-                force[link.nodeA][d] += link.partA*momentum;
-                force[link.nodeB][d] += link.partB*momentum;
+                force[link.nodeA][d] += link.partA*momentum[d];
+                force[link.nodeB][d] += link.partB*momentum[d];
             }
         }
     }
@@ -180,19 +256,26 @@ void Foam::fsi::linkOperator::set
         last_[row] = -1;
     }
     start_.append(entries_.size());
+    keepValues();
 }
 
 
 void Foam::fsi::linkOperator::setSources(const vectorField& v)
 {
-    if (nDims_ == 2)
-    {
-        doSetSources<2>(v);
-    }
-    else
-    {
-        doSetSources<3>(v);
-    }
+    forDims([&](auto n) { doSetSources<decltype(n)::value>(v); });
+}
+
+
+void Foam::fsi::linkOperator::startCorrection(const vectorField& v)
+{
+    keepValues();
+    forDims([&](auto n) { doStartCorrection<decltype(n)::value>(v); });
+}
+
+
+void Foam::fsi::linkOperator::setResiduals(const vectorField& v)
+{
+    forDims([&](auto n) { doSetResiduals<decltype(n)::value>(v); });
 }
 
 
@@ -202,14 +285,7 @@ void Foam::fsi::linkOperator::addForce
     vectorField& force
 ) const
 {
-    if (nDims_ == 2)
-    {
-        doAddForce<2>(density, force);
-    }
-    else
-    {
-        doAddForce<3>(density, force);
-    }
+    forDims([&](auto n) { doAddForce<decltype(n)::value>(density, force); });
 }
 
 

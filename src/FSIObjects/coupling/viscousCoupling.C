@@ -184,10 +184,24 @@ void Foam::fsi::viscousCoupling::overRelax(fsiSystem::groupNodal& v)
 }
 
 
-void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
+void Foam::fsi::viscousCoupling::setWalls(const fsiSystem::groupNodal& v)
 {
     system_.fromBoundary(v, nodalVelocity_);
     links_.setSources(nodalVelocity_);
+}
+
+
+void Foam::fsi::viscousCoupling::startCorrection(const scalar norm)
+{
+    matrix_.startCorrection(norm);
+    links_.startCorrection(nodalVelocity_);
+}
+
+
+void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
+{
+    system_.fromBoundary(v, nodalVelocity_);
+    links_.setResiduals(nodalVelocity_);
 }
 
 

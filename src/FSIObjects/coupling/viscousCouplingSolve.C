@@ -25,10 +25,10 @@ static void warnUnconverged(const solverPerformance& result)
 }
 
 
-//- Stop before the sweeps' numbers overflow
+//- Stop before the squares of the sweeps' numbers overflow
 static void checkConverges(const solverPerformance& result)
 {
-    if (!(result.finalResidual() < 1e30))
+    if (!(result.finalResidual() < 1e15))
     {
         FatalErrorInFunction
             << "The velocity's sweeps diverge: residual "
@@ -83,6 +83,49 @@ void Foam::fsi::viscousCoupling::finish
 }
 
 
+void Foam::fsi::viscousCoupling::sweep
+(
+    solverPerformance& result,
+    fsiSystem::groupNodal& v
+)
+{
+    const dictionary& controls =
+        system_.grid.mesh().solverDict(result.fieldName());
+    const label maxIter = readAtLeast(controls, "maxIter", 1000, 1);
+    const scalar tolerance =
+        controls.lookupOrDefault<scalar>("tolerance", 1e-7);
+    const scalar relTol = controls.lookupOrDefault<scalar>("relTol", 0);
+
+    setWalls(v);
+    const scalar norm = matrix_.sourceNorm() + VSMALL;
+    startCorrection(norm);
+    relaxation_.start(matrix_.relaxation());
+    do
+    {
+        if (matrix_.exhausted())
+        {
+            matrix_.addCorrection();
+            setWalls(v);
+            startCorrection(norm);
+        }
+        result.finalResidual() = matrix_.sweep(relaxation_.factor());
+        if (result.nIterations() == 0)
+        {
+            result.initialResidual() = result.finalResidual();
+        }
+        checkConverges(result);
+        overRelax(v);
+        moveWalls(v);
+        relaxation_.observe(result.finalResidual());
+    } while
+    (
+        ++result.nIterations() < maxIter
+     && !result.checkConvergence(tolerance, relTol)
+    );
+    matrix_.addCorrection();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::viscousCoupling::solve
@@ -94,8 +137,6 @@ void Foam::fsi::viscousCoupling::solve
     vectorField& force
 )
 {
-    const dictionary& controls = U.mesh().solverDict(U.name());
-    const label maxIter = readAtLeast(controls, "maxIter", 1000, 1);
     solverPerformance result("fsiSOR", U.name());
 
     updateResponses(predicted);
@@ -108,31 +149,8 @@ void Foam::fsi::viscousCoupling::solve
             system_.objects.shape(groupi).nBoundaryNodes()
         );
     }
-    system_.fromBoundary(boundary, nodalVelocity_);
     nodeVelocity(boundary);
-    moveWalls(boundary);
-    const scalar norm = matrix_.sourceNorm() + VSMALL;
-    relaxation_.start(matrix_.relaxation());
-    do
-    {
-        result.finalResidual() = matrix_.sweep(relaxation_.factor())/norm;
-        if (result.nIterations() == 0)
-        {
-            result.initialResidual() = result.finalResidual();
-        }
-        checkConverges(result);
-        overRelax(boundary);
-        moveWalls(boundary);
-        relaxation_.observe(result.finalResidual());
-    } while
-    (
-        ++result.nIterations() < maxIter
-     && !result.checkConvergence
-        (
-            controls.lookupOrDefault<scalar>("tolerance", 1e-7),
-            controls.lookupOrDefault<scalar>("relTol", 0)
-        )
-    );
+    sweep(result, boundary);
     result.print(Info.masterStream(U.mesh().comm()));
     warnUnconverged(result);
 
@@ -154,12 +172,17 @@ void Foam::fsi::viscousCoupling::addResponse
         readPositive(controls, "responseTolerance", 0.05);
 
     // A sweep tells the residual before it; the next one falls as fast
-    const scalar norm = matrix_.sweepFromZero(source);
-    scalar before = norm;
+    const scalar norm = matrix_.startFromZero(source) + VSMALL;
+    scalar before = 1;
     for (label nSweeps = 1; nSweeps < maxIter; ++nSweeps)
     {
+        if (matrix_.exhausted())
+        {
+            matrix_.addCorrection();
+            matrix_.startCorrection(norm);
+        }
         const scalar residual = matrix_.sweep(1);
-        if (sqr(residual) <= tolerance*norm*before)
+        if (sqr(residual) <= tolerance*before)
         {
             break;
         }

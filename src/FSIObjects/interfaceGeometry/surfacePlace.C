@@ -17,7 +17,7 @@ struct nearestSoFar
     const point& p;
     scalar distance = GREAT;
     label face = -1;
-    FixedList<scalar, 3> weights;
+    FixedList<scalar, 3> weights = FixedList<scalar, 3>(scalar(0));
 
     //- Is a face nearer than the last ones?
     bool take(const label facei)

@@ -121,43 +121,125 @@ TEST(wallOperator, sameAtWalls)
 }
 
 
-TEST(linkOperator, sumsTheLinks)
+// Two discs, links' viscosity and fluid's density, a matrix of a diagonal
+struct linkedDiscs
+:
+    twoDiscs
 {
-    const scalar viscosity = 0.3, density = 7;
-    for (direction split = 0; split < 2; ++split)
+    const scalar viscosity = 0.3;
+    const scalar density = 7;
+    colouredMatrix matrix;
+    linkOperator operation;
+    scalarField diagonal;
+    vectorField source;
+
+    explicit linkedDiscs(const direction split)
+    :
+        twoDiscs(split),
+        matrix(grid()),
+        operation(matrix, 2),
+        diagonal(U.size(), 2),
+        source(U.size(), vector(3, 4, 0))
     {
-        twoDiscs discs(split);
-        const UList<wallLink>& links = discs.geometry().wallLinks();
-        fvVectorMatrix equation(discs.U, dimVolume*dimAcceleration);
+        fvVectorMatrix equation(U, dimVolume*dimAcceleration);
         equation.diag() = 2;
         equation.upper() = 0;
-        equation.source() = vector(3, 4, 0);
-        colouredMatrix matrix(discs.grid());
+        equation.source() = source;
         matrix.set(equation);
-
-        // Link by link
-        vectorField source(equation.source());
-        vectorField force(discs.v.size(), Zero);
-        for (const wallLink& link : links)
+        operation.set(geometry().wallLinks(), viscosity);
+        for (const wallLink& link : geometry().wallLinks())
         {
-            const scalar g = viscosity*link.conductance;
-            source[link.cell] += g*link.place.interpolate(discs.v);
-            link.place.spread(force, density*g*discs.U[link.cell]);
+            diagonal[link.cell] += viscosity*link.conductance;
         }
+    }
 
-        linkOperator operation(matrix, 2);
-        operation.set(links, viscosity);
-        operation.setSources(discs.v);
-        forAll(source, celli)
+    //- Add sources of walls that move with a velocity, link by link
+    void addSources(const vectorField& velocity)
+    {
+        for (const wallLink& link : geometry().wallLinks())
         {
-            const scalar* found = matrix.source(matrix.row(celli));
-            EXPECT_NEAR(found[0], source[celli].x(), 1e-13) << celli;
-            EXPECT_NEAR(found[1], source[celli].y(), 1e-13) << celli;
+            source[link.cell] +=
+                viscosity*link.conductance*link.place.interpolate(velocity);
         }
-        vectorField found(discs.v.size(), Zero);
+    }
+
+    //- Forces of the velocities U, link by link and by the operator
+    void expectForces(const scalar tolerance)
+    {
+        vectorField force(v.size(), Zero);
+        for (const wallLink& link : geometry().wallLinks())
+        {
+            link.place.spread
+            (
+                force,
+                density*viscosity*link.conductance*U[link.cell]
+            );
+        }
+        vectorField found(v.size(), Zero);
         operation.addForce(density, found);
-        EXPECT_LT(max(mag(found - force)), 1e-12);
+        EXPECT_LT(max(mag(found - force)), tolerance);
         EXPECT_GT(max(mag(force)), 0.1);
+    }
+};
+
+
+TEST(linkOperator, sumsTheLinks)
+{
+    for (direction split = 0; split < 2; ++split)
+    {
+        linkedDiscs discs(split);
+        discs.addSources(discs.v);
+        discs.operation.setSources(discs.v);
+        forAll(discs.source, celli)
+        {
+            const scalar* found =
+                discs.matrix.source(discs.matrix.row(celli));
+            EXPECT_NEAR(found[0], discs.source[celli].x(), 1e-13) << celli;
+            EXPECT_NEAR(found[1], discs.source[celli].y(), 1e-13) << celli;
+        }
+        discs.expectForces(1e-12);
+    }
+}
+
+
+TEST(linkOperator, correctsTheLinks)
+{
+    for (direction split = 0; split < 2; ++split)
+    {
+        linkedDiscs discs(split);
+        colouredMatrix& matrix = discs.matrix;
+        discs.operation.setSources(discs.v);
+        const scalar norm = matrix.sourceNorm();
+        matrix.startCorrection(norm);
+        discs.operation.startCorrection(discs.v);
+
+        // Residuals with other velocities of the nodes
+        const vectorField later(2*discs.v + vector(0.3, -0.4, 0));
+        discs.addSources(later);
+        discs.operation.setResiduals(later);
+        forAll(discs.source, celli)
+        {
+            const vector expected
+            (
+                discs.source[celli] - discs.diagonal[celli]*discs.U[celli]
+            );
+            const floatScalar* found = matrix.residual(matrix.row(celli));
+            EXPECT_NEAR(found[0], expected.x()/norm, 1e-6) << celli;
+            EXPECT_NEAR(found[1], expected.y()/norm, 1e-6) << celli;
+        }
+
+        // Forces of the corrected velocities, which the diagonal alone gives
+        EXPECT_GT(matrix.sweep(1), 0.01);
+        vectorField corrected(discs.U.size(), Zero);
+        matrix.addTo(corrected);
+        discs.U.primitiveFieldRef() = corrected;
+        discs.expectForces(1e-10);
+        forAll(corrected, celli)
+        {
+            const vector expected(discs.source[celli]/discs.diagonal[celli]);
+            EXPECT_NEAR(corrected[celli].x(), expected.x(), 1e-5) << celli;
+            EXPECT_NEAR(corrected[celli].y(), expected.y(), 1e-5) << celli;
+        }
     }
 }
 
