@@ -85,7 +85,6 @@ FSI_INLINE scalar relaxPairs
     const label* offset
 )
 {
-    typedef int choice __attribute__((vector_size(4*sizeof(int))));
     const floatScalar* other[4];
     for (int k = 0; k < 4; ++k)
     {
@@ -104,15 +103,11 @@ FSI_INLINE scalar relaxPairs
             pairAt(rows.source + i) - diagonal*pairAt(rows.x + i);
 
         // Each row's coefficient for both of its components
-        residual -=
-            __builtin_shuffle(a, b, choice{0, 0, 4, 4})*pairAt(other[0] + i);
-        residual -=
-            __builtin_shuffle(a, b, choice{1, 1, 5, 5})*pairAt(other[1] + i);
-        residual -=
-            __builtin_shuffle(a, b, choice{2, 2, 6, 6})*pairAt(other[2] + i);
-        residual -=
-            __builtin_shuffle(a, b, choice{3, 3, 7, 7})*pairAt(other[3] + i);
-
+        for (int k = 0; k < 4; ++k)
+        {
+            residual -=
+                rowPair{a[k], a[k], b[k], b[k]}*pairAt(other[k] + i);
+        }
         pairAt(rows.x + i) += rows.relaxation*residual/diagonal;
         squares += residual*residual;
     }
