@@ -7,6 +7,7 @@
 #include "colouredMatrix.H"
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
+#include "surfaceFields.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -44,13 +45,24 @@ vectorField roughSource(const fvMesh& mesh)
 }
 
 
-//- Viscous momentum equation with a source besides the walls'
+//- Momentum equation of a fluid whose viscosity changes from face to face, so
+//  that all coefficients differ, with a source besides the walls'
 tmp<fvVectorMatrix> momentum(volVectorField& U, const vectorField& source)
 {
+    const fvMesh& mesh = U.mesh();
+    surfaceScalarField nu
+    (
+        IOobject("nu", mesh.time().timeName(), mesh),
+        mesh,
+        dimensionedScalar("nu", dimViscosity, 1.3)
+    );
+    const vector wave(5, 7, 3);
+    nu += dimensionedScalar("more", dimViscosity, 0.9)
+       *sin(mesh.Cf() & dimensionedVector("wave", dimless/dimLength, wave));
     tmp<fvVectorMatrix> tequation
     (
         fvm::Sp(dimensionedScalar("rate", dimless/dimTime, 0.7), U)
-      - fvm::laplacian(dimensionedScalar("nu", dimViscosity, 1.3), U)
+      - fvm::laplacian(nu, U)
     );
     tequation.ref().source() += source;
     return tequation;

@@ -145,8 +145,11 @@ struct linkedDiscs
         equation.diag() = 2;
         equation.upper() = 0;
         equation.source() = source;
-        matrix.set(equation);
-        operation.set(geometry().wallLinks(), viscosity);
+        for (label step = 0; step < 2; ++step)
+        {
+            matrix.set(equation);
+            operation.set(geometry().wallLinks(), viscosity);
+        }
         for (const wallLink& link : geometry().wallLinks())
         {
             diagonal[link.cell] += viscosity*link.conductance;
