@@ -269,7 +269,7 @@ bool Foam::fsi::colouredMatrix::exhausted() const
 
 Foam::scalar Foam::fsi::colouredMatrix::sourceNorm() const
 {
-    return Foam::sqrt(returnReduce(sumSqr(source_), sumOp<scalar>()));
+    return norm(sumSqr(source_));
 }
 
 

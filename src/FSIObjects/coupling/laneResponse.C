@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "laneResponse.H"
+#include "lanePanel.H"
 
 #include <algorithm>
 
@@ -111,6 +112,11 @@ void Foam::fsi::laneResponse::solveMatrices
     x.resize(n, b.cols());
     const label nValues = lanes*nDims*n;
     rows_.resize(nValues);
+    const auto row = [&](const label i) { return rowOf[i]; };
+    const auto place = [&](const label k)
+    {
+        return lanes*(k % nDims) + k/nDims;
+    };
     for (label blocki = 0; blocki < label(factors_.size()); ++blocki)
     {
         const label first = nDims*lanes*blocki;
@@ -119,25 +125,10 @@ void Foam::fsi::laneResponse::solveMatrices
         {
             std::fill_n(rows_.data(), nValues, 0);
         }
-        for (label k = 0; k < nColumns; ++k)
-        {
-            const double* from = b.col(first + k).data();
-            const label place = lanes*(k % nDims) + k/nDims;
-            for (label i = 0; i < n; ++i)
-            {
-                rows_[lanes*nDims*rowOf[i] + place] = from[i];
-            }
-        }
+        const lanePanel panel{first, nColumns, nDims*lanes, row, place};
+        columnsToRows(b, panel, rows_);
         factors_[blocki].solve(rows_.data(), nDims);
-        for (label k = 0; k < nColumns; ++k)
-        {
-            double* to = x.col(first + k).data();
-            const label place = lanes*(k % nDims) + k/nDims;
-            for (label i = 0; i < n; ++i)
-            {
-                to[i] = rows_[lanes*nDims*rowOf[i] + place];
-            }
-        }
+        rowsToColumns(rows_, panel, x);
     }
 }
 

@@ -1,22 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "linkOperator.H"
+#include "fetchAhead.H"
 
 #include <type_traits>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Rows from one that is fetched to one that is summed
-static constexpr label ahead = 16;
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -183,8 +170,7 @@ void Foam::fsi::linkOperator::doSetResiduals(const vectorField& v)
     const scalar scale = matrix_.correctionScale();
     forAll(rows_, i)
     {
-        const label next = rows_[min(i + ahead, rows_.size() - 1)];
-        __builtin_prefetch(matrix_.residual(next), 1);
+        fetchAhead(*matrix_.residual(fetchedAhead(rows_, i)));
 
         const FixedList<scalar, nDims> part(ofWalls<nDims>(i, v, scale));
         floatScalar* residual = matrix_.residual(rows_[i]);
@@ -206,8 +192,7 @@ void Foam::fsi::linkOperator::doAddForce
     const scalar scale = 1/matrix_.correctionScale();
     forAll(rows_, i)
     {
-        const label next = rows_[min(i + ahead, rows_.size() - 1)];
-        __builtin_prefetch(matrix_.correction(next));
+        fetchAhead(*matrix_.correction(fetchedAhead(rows_, i)));
 
         const floatScalar* correction = matrix_.correction(rows_[i]);
         FixedList<scalar, nDims> momentum;
@@ -268,7 +253,6 @@ void Foam::fsi::linkOperator::setSources(const vectorField& v)
 
 void Foam::fsi::linkOperator::startCorrection(const vectorField& v)
 {
-    keepValues();
     forDims([&](auto n) { doStartCorrection<decltype(n)::value>(v); });
 }
 

@@ -11,7 +11,7 @@ Foam::labelList Foam::fsi::objectsConductance::inside() const
 {
     const boolList& active = system_.geometry.activeCell();
     const labelList& nearest = system_.levelSet->object();
-    const labelList& place = system_.geometry.haloIndex();
+    const labelList& place = system_.grid.haloIndex();
 
     labelList result(active.size(), label(fluid));
     forAll(result, celli)

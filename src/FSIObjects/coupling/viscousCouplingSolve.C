@@ -105,6 +105,7 @@ void Foam::fsi::viscousCoupling::sweep
         if (matrix_.exhausted())
         {
             matrix_.addCorrection();
+            links_.keepValues();
             setWalls(v);
             startCorrection(norm);
         }

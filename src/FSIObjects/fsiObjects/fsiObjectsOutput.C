@@ -111,7 +111,7 @@ void Foam::fsi::fsiObjects::write()
     }
 
     const population& objects = system_.objects;
-    const labelList& halo = system_.geometry.haloIndex();
+    const labelList& halo = system_.grid.haloIndex();
     forAll(halo, celli)
     {
         const label objecti = system_.levelSet->object()[halo[celli]];

@@ -90,7 +90,7 @@ void Foam::fsi::immersedFluid::setSolidVelocity
         {
             continue;
         }
-        const label here = geometry_.haloIndex()[celli];
+        const label here = geometry_.grid().haloIndex()[celli];
         const label facei = levelSet.nearestFace()[here];
         if (facei >= 0)
         {

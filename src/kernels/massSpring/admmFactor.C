@@ -59,38 +59,6 @@ void Foam::fsi::admmFactor::store(const Eigen::SparseMatrix<double>& lower)
 }
 
 
-template<int width>
-void Foam::fsi::admmFactor::solveColumns
-(
-    Eigen::MatrixXd& b,
-    const label first,
-    const label nColumns
-) const
-{
-    const label n = size();
-    std::vector<scalar> rows(width*n, 0);
-    for (label k = 0; k < nColumns; ++k)
-    {
-        const double* column = b.col(first + k).data();
-        for (label i = 0; i < n; ++i)
-        {
-            rows[width*rowOf_[i] + k] = column[i];
-        }
-    }
-
-    solveRows(width, rows.data());
-
-    for (label k = 0; k < nColumns; ++k)
-    {
-        double* column = b.col(first + k).data();
-        for (label i = 0; i < n; ++i)
-        {
-            column[i] = rows[width*rowOf_[i] + k];
-        }
-    }
-}
-
-
 Eigen::SparseMatrix<double> Foam::fsi::admmFactor::withoutTiny
 (
     const Eigen::MatrixXd& a
@@ -164,28 +132,6 @@ Foam::fsi::admmFactor::admmFactor
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::admmFactor::solve(Eigen::MatrixXd& b) const
-{
-    constexpr label width = 16;
-    for (label first = 0; first < b.cols(); first += width)
-    {
-        const label nColumns = min(width, label(b.cols()) - first);
-        if (nColumns <= 2)
-        {
-            solveColumns<2>(b, first, nColumns);
-        }
-        else if (nColumns <= 4)
-        {
-            solveColumns<4>(b, first, nColumns);
-        }
-        else
-        {
-            solveColumns<width>(b, first, nColumns);
-        }
-    }
-}
-
 
 const Eigen::MatrixXd& Foam::fsi::admmFactor::boundaryInverse() const
 {

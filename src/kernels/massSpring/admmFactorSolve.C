@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "admmFactor.H"
-#include "laneField.H"
+#include "lanePanel.H"
 #include "laneReference.H"
 #include "vectorClones.H"
 
@@ -12,8 +12,16 @@ namespace Foam
 namespace fsi
 {
 
-//- Most columns that are multiplied at once
-static constexpr label largestWidth = 32;
+//- Least power of two, 2 at least, for a number of columns, or the largest one
+static label widthFor(const label nColumns, const label largest)
+{
+    label width = 2;
+    while (width < min(nColumns, largest))
+    {
+        width *= 2;
+    }
+    return width;
+}
 
 
 //- A symmetric matrix times `width` columns side by side
@@ -70,35 +78,19 @@ static void multiplyColumns
 )
 {
     const label n = matrix.outerSize();
-    label width = 2;
-    while (width < min(label(x.cols()), largestWidth))
-    {
-        width *= 2;
-    }
+    const label width = widthFor(x.cols(), 32);
     laneField from, to;
     from.resize(width*n);
     to.resize(width*n);
     result.resize(n, x.cols());
+    const auto same = [](const label i) { return i; };
     for (label first = 0; first < x.cols(); first += width)
     {
         const label nColumns = min(width, label(x.cols()) - first);
-        for (label k = 0; k < nColumns; ++k)
-        {
-            const double* column = x.col(first + k).data();
-            for (label i = 0; i < n; ++i)
-            {
-                from[width*i + k] = column[i];
-            }
-        }
+        const lanePanel panel{first, nColumns, width, same, same};
+        columnsToRows(x, panel, from);
         multiplyRows(width, matrix, from.data(), to.data());
-        for (label k = 0; k < nColumns; ++k)
-        {
-            double* column = result.col(first + k).data();
-            for (label i = 0; i < n; ++i)
-            {
-                column[i] = to[width*i + k];
-            }
-        }
+        rowsToColumns(to, panel, result);
     }
 }
 
@@ -149,6 +141,24 @@ void Foam::fsi::admmFactor::solveRows(const int width, scalar* rows) const
         case 8: solveWidth<8>(rows); break;
         case 4: solveWidth<4>(rows); break;
         default: solveWidth<2>(rows);
+    }
+}
+
+
+void Foam::fsi::admmFactor::solve(Eigen::MatrixXd& b) const
+{
+    const label width = widthFor(b.cols(), 16);
+    laneField rows;
+    rows.resize(width*size());
+    const auto row = [&](const label i) { return rowOf_[i]; };
+    const auto same = [](const label k) { return k; };
+    for (label first = 0; first < b.cols(); first += width)
+    {
+        const label nColumns = min(width, label(b.cols()) - first);
+        const lanePanel panel{first, nColumns, width, row, same};
+        columnsToRows(b, panel, rows);
+        solveRows(width, rows.data());
+        rowsToColumns(rows, panel, b);
     }
 }
 
