@@ -27,9 +27,9 @@ def latest_time(folder):
     return latest
 
 
-def fluid(case, view):
-    """The mesh, coloured by the magnitude of U. A parallel run that was not
-    reconstructed yet is read in parts."""
+def open_fluid(case):
+    """The mesh with its fields. A parallel run that was not reconstructed yet
+    is read in parts."""
     name = os.path.join(case, os.path.basename(os.path.abspath(case))
                         + ".foam")
     with open(name, "a", encoding="ascii"):
@@ -38,45 +38,77 @@ def fluid(case, view):
     if latest_time(os.path.join(case, "processor0")) > latest_time(case):
         reader.CaseType = "Decomposed Case"
     reader.UpdatePipeline()
-    shown = simple.Show(reader, view)
-    if "U" in reader.CellData.keys():
-        simple.ColorBy(shown, ("CELLS", "U", "Magnitude"))
-        shown.RescaleTransferFunctionToDataRange(True)
-        shown.SetScalarBarVisibility(view, True)
     return reader
 
 
-def objects(case, view, front):
-    """The surfaces of all runs of the case, coloured by the object's id, in
-    front of the mesh, which ends there. Outlines with hollows are filled right
-    only as triangles."""
-    for name in sorted(glob.glob(os.path.join(
-            case, "postProcessing/fsiObjects/*/surfaces.vtp.series"))):
-        reader = simple.OpenDataFile(name)
+def open_objects(case):
+    """The surfaces of all runs of the case."""
+    readers = [
+        simple.OpenDataFile(name) for name in sorted(glob.glob(os.path.join(
+            case, "postProcessing/fsiObjects/*/surfaces.vtp.series")))
+    ]
+    for reader in readers:
         reader.UpdatePipeline()
-        filled = simple.Show(simple.Triangulate(Input=reader), view)
-        filled.Position = [0, 0, front]
-        simple.ColorBy(filled, ("CELLS", "object"))
-        simple.GetColorTransferFunction("object").ApplyPreset(
-            "Rainbow Desaturated", True)
-        filled.SetScalarBarVisibility(view, False)
-        outline = simple.Show(reader, view)
-        outline.Position = [0, 0, 1.01*front]
-        outline.SetRepresentationType("Wireframe")
-        simple.ColorBy(outline, ("POINTS", ""))
-        outline.AmbientColor = outline.DiffuseColor = [0, 0, 0]
+    return readers
+
+
+def is_flat(surfaces):
+    """Do the objects lie in a plane normal to z?"""
+    boxes = [reader.GetDataInformation().GetBounds() for reader in surfaces]
+    return all(box[5] - box[4] < 1e-6*(box[1] - box[0]) for box in boxes)
+
+
+def show_fluid(reader, view, flat):
+    """The mesh, coloured by the magnitude of U; in three dimensions a slice
+    half way through it and its edges."""
+    shown = reader
+    if not flat:
+        simple.Show(simple.Outline(Input=reader), view)
+        shown = simple.Slice(Input=reader)
+        shown.SliceType.Normal = [0, 0, 1]
+    display = simple.Show(shown, view)
+    if "U" in reader.CellData.keys():
+        simple.ColorBy(display, ("CELLS", "U", "Magnitude"))
+        display.RescaleTransferFunctionToDataRange(True)
+        display.SetScalarBarVisibility(view, True)
+
+
+def show_objects(reader, view, front):
+    """Surfaces coloured by the object's id. In the plane they lie in front of
+    the mesh, which ends there, with their outlines; outlines with hollows are
+    filled right only as triangles. front: None in three dimensions."""
+    filled = simple.Show(simple.Triangulate(Input=reader), view)
+    simple.ColorBy(filled, ("CELLS", "object"))
+    simple.GetColorTransferFunction("object").ApplyPreset(
+        "Rainbow Desaturated", True)
+    filled.SetScalarBarVisibility(view, False)
+    if front is None:
+        return
+    filled.Position = [0, 0, front]
+    outline = simple.Show(reader, view)
+    outline.Position = [0, 0, 1.01*front]
+    outline.SetRepresentationType("Wireframe")
+    simple.ColorBy(outline, ("POINTS", ""))
+    outline.AmbientColor = outline.DiffuseColor = [0, 0, 0]
 
 
 def main(case, picture=None, time=None):
     """Shows a case; writes a picture if there is a name for it."""
     view = simple.GetActiveViewOrCreate("RenderView")
-    view.InteractionMode = "2D"
     view.OrientationAxesVisibility = 0
-    reader = fluid(case, view)
-    objects(case, view, reader.GetDataInformation().GetBounds()[5])
+    reader, surfaces = open_fluid(case), open_objects(case)
+    flat = is_flat(surfaces)
+    view.InteractionMode = "2D" if flat else "3D"
+    show_fluid(reader, view, flat)
+    front = reader.GetDataInformation().GetBounds()[5] if flat else None
+    for surface in surfaces:
+        show_objects(surface, view, front)
     scene = simple.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     simple.ResetCamera(view)
+    if not flat:
+        view.GetActiveCamera().Azimuth(25)
+        view.GetActiveCamera().Elevation(20)
     if picture:
         times = reader.TimestepValues
         wanted = times[-1] if time is None else float(time)

@@ -81,9 +81,20 @@ class Fluid:
         reader.SetPatchArrayStatus(part, 1)
         return reader
 
+    def flat(self):
+        """Is there no mesh, or one that is one cell thick in z?"""
+        if not self.reader:
+            return True
+        reader = self.open("group/empty", not self.has_mesh)
+        reader.DisableAllCellArrays()
+        reader.Update()
+        patches = reader.GetOutput().NewIterator()
+        return not patches.IsDoneWithTraversal()
+
     def periods(self, bounds):
-        """Length of the mesh in x and y, 0 where no cyclic patches join it."""
-        periods = [0, 0]
+        """Length of the mesh in each direction, 0 where no cyclic patches join
+        it."""
+        periods = [0, 0, 0]
         if self.reader:
             reader = self.open("group/cyclic", not self.has_mesh)
             reader.DisableAllCellArrays()
@@ -91,21 +102,31 @@ class Fluid:
             patches = reader.GetOutput().NewIterator()
             while not patches.IsDoneWithTraversal():
                 box = patches.GetCurrentDataObject().GetBounds()
-                for i in range(2):
+                for i in range(3):
                     length = bounds[2*i + 1] - bounds[2*i]
                     if abs(box[2*i + 1] - box[2*i]) < 1e-5*length:
                         periods[i] = length
                 patches.GoToNextItem()
         return periods
 
-    def read(self, time):
-        """The plane half way through the mesh, with the fields on points."""
+    def bounds(self, time):
+        """The box of the mesh."""
+        self.reader.UpdateTimeStep(nearest(self.times, time))
+        return self.reader.GetOutput().GetBlock(0).GetBounds()
+
+    def read(self, time, axis=2, place=None):
+        """A plane with the fields on points: normal to an axis, at a place or
+        half way through the mesh."""
         self.reader.UpdateTimeStep(nearest(self.times, time))
         mesh = self.reader.GetOutput().GetBlock(0)
 
+        origin, normal = list(mesh.GetCenter()), [0, 0, 0]
+        normal[axis] = 1
+        if place is not None:
+            origin[axis] = place
         plane = vtkCommonDataModel.vtkPlane()
-        plane.SetOrigin(mesh.GetCenter())
-        plane.SetNormal(0, 0, 1)
+        plane.SetOrigin(*origin)
+        plane.SetNormal(*normal)
         cutter = vtkFiltersCore.vtkCutter()
         cutter.SetCutFunction(plane)
         cutter.SetInputData(mesh)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """One time of a case drawn with VTK, for etc/render."""
 
+import itertools
+
 import vtkmodules.vtkRenderingFreeType  # noqa: F401, text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the renderer
 from vtkmodules import vtkCommonCore, vtkCommonDataModel, vtkCommonTransforms
@@ -15,14 +17,13 @@ PALETTE = (
 BAR_WIDTH, TITLE_HEIGHT, MARGIN = 110, 30, 10
 
 
-def actor_of(data, colour=None, height=0.0):
-    """An actor for polygons or lines, at a height above the plane."""
+def actor_of(data, colour=None):
+    """An actor for polygons or lines, which no light dims."""
     mapper = vtkRenderingCore.vtkPolyDataMapper()
     mapper.SetInputData(data)
     mapper.ScalarVisibilityOff()
     actor = vtkRenderingCore.vtkActor()
     actor.SetMapper(mapper)
-    actor.SetPosition(0, 0, height - data.GetCenter()[2])
     actor.GetProperty().LightingOff()
     if colour:
         actor.GetProperty().SetColor(*colour)
@@ -32,15 +33,14 @@ def actor_of(data, colour=None, height=0.0):
 def with_images(data, periods):
     """Polygons or lines and their copies in the periods beside theirs."""
     copies = vtkFiltersCore.vtkAppendPolyData()
-    steps = [(-p, 0, p) if p else (0,) for p in periods]
-    for x in steps[0]:
-        for y in steps[1]:
-            transform = vtkCommonTransforms.vtkTransform()
-            transform.Translate(x, y, 0)
-            moved = vtkFiltersGeneral.vtkTransformPolyDataFilter()
-            moved.SetInputData(data)
-            moved.SetTransform(transform)
-            copies.AddInputConnection(moved.GetOutputPort())
+    for shift in itertools.product(*((-p, 0, p) if p else (0,)
+                                     for p in periods)):
+        transform = vtkCommonTransforms.vtkTransform()
+        transform.Translate(*shift)
+        moved = vtkFiltersGeneral.vtkTransformPolyDataFilter()
+        moved.SetInputData(data)
+        moved.SetTransform(transform)
+        copies.AddInputConnection(moved.GetOutputPort())
     copies.Update()
     return copies.GetOutput()
 
@@ -69,12 +69,26 @@ class Picture:
         self.renderer = vtkRenderingCore.vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
         self.bounds, self.table = bounds, table
-        self.width = bounds[1] - bounds[0]
-        self.height = bounds[3] - bounds[2]
+        self.width, self.height = self.extent()
         self.scale = size/max(self.width, self.height)
         self.line = max(1.0, size/400)
         self.bar = BAR_WIDTH if with_bar else 0
         self.add_title(f"t = {time:.6g} s")
+
+    def extent(self):
+        """Width and height of what is shown."""
+        return (self.bounds[1] - self.bounds[0],
+                self.bounds[3] - self.bounds[2])
+
+    def placed(self, data, colour=None, height=0.0):
+        """An actor at a height above the plane, in widths of the picture."""
+        actor = actor_of(data, colour)
+        actor.SetPosition(0, 0, height*self.width - data.GetCenter()[2])
+        return actor
+
+    def sides(self):
+        """Sides of the box that objects may reach across."""
+        return range(4)
 
     def add(self, actor, line_width=1.0):
         actor.GetProperty().SetLineWidth(line_width*self.line)
@@ -82,13 +96,13 @@ class Picture:
 
     def add_inside(self, actor, line_width=1.0):
         """Adds what is in the frame of an actor: objects reach across seams."""
-        sides = ((0, (1, 0)), (1, (-1, 0)), (2, (0, 1)), (3, (0, -1)))
-        for side, normal in sides:
-            origin = [0, 0, 0]
+        for side in self.sides():
+            origin, normal = [0, 0, 0], [0, 0, 0]
             origin[side//2] = self.bounds[side]
+            normal[side//2] = -1 if side % 2 else 1
             plane = vtkCommonDataModel.vtkPlane()
             plane.SetOrigin(*origin)
-            plane.SetNormal(*normal, 0)
+            plane.SetNormal(*normal)
             actor.GetMapper().AddClippingPlane(plane)
         self.add(actor, line_width)
 
@@ -105,11 +119,11 @@ class Picture:
         source = vtkFiltersSources.vtkOutlineSource()
         source.SetBounds(*self.bounds[:4], 0, 0)
         source.Update()
-        self.add(actor_of(source.GetOutput(), (0, 0, 0), 6*self.width))
+        self.add(self.placed(source.GetOutput(), (0, 0, 0), 6))
 
     def add_field(self, plane, name):
         """A field as colours; the magnitude of a vector."""
-        actor = actor_of(plane)
+        actor = self.placed(plane)
         mapper = actor.GetMapper()
         mapper.ScalarVisibilityOn()
         mapper.SetScalarModeToUsePointFieldData()
@@ -141,14 +155,16 @@ class Picture:
     def add_vectors(self, plane, count):
         """Arrows of U on a lattice; the longest are as long as its spacing."""
         spacing = max(self.width, self.height)/count
+        box = plane.GetBounds()
+        counts = [max(int((box[2*i + 1] - box[2*i])/spacing), 1)
+                  for i in range(3)]
         lattice = vtkCommonDataModel.vtkImageData()
-        nx, ny = int(self.width/spacing), int(self.height/spacing)
-        lattice.SetDimensions(nx, ny, 1)
-        lattice.SetSpacing(spacing, spacing, 1)
-        lattice.SetOrigin(
-            self.bounds[0] + spacing/2, self.bounds[2] + spacing/2,
-            plane.GetCenter()[2],
-        )
+        lattice.SetDimensions(*counts)
+        lattice.SetSpacing(spacing, spacing, spacing)
+        lattice.SetOrigin(*(
+            box[2*i] + spacing/2 if counts[i] > 1 else plane.GetCenter()[i]
+            for i in range(3)
+        ))
         probe = vtkFiltersCore.vtkProbeFilter()
         probe.SetInputData(lattice)
         probe.SetSourceData(plane)
@@ -164,23 +180,23 @@ class Picture:
         fastest = magnitude_range(samples, "U")[1]
         glyph.SetScaleFactor(1.5*spacing/fastest if fastest > 0 else 0)
         glyph.Update()
-        self.add(actor_of(glyph.GetOutput(), (0.1, 0.1, 0.1), 2*self.width))
+        self.add(self.placed(glyph.GetOutput(), (0.1, 0.1, 0.1), 2))
 
-    def add_contour(self, plane, name):
+    @staticmethod
+    def zero_of(plane, name):
+        """The line on which a field is zero."""
         contour = vtkFiltersCore.vtkContourFilter()
         contour.SetInputData(plane)
         contour.SetInputArrayToProcess(0, 0, 0, 0, name)
         contour.SetValue(0, 0.0)
         contour.Update()
-        line = actor_of(contour.GetOutput(), (0, 0, 0), 5*self.width)
-        self.add(line, 1.5)
+        return contour.GetOutput()
 
-    def add_objects(self, surfaces):
-        """Each object filled in the colour of its number, with its outline."""
-        triangles = vtkFiltersCore.vtkTriangleFilter()
-        triangles.SetInputData(surfaces)
-        triangles.Update()
-        data = triangles.GetOutput()
+    def add_contour(self, plane, name):
+        self.add(self.placed(self.zero_of(plane, name), (0, 0, 0), 5), 1.5)
+
+    def coloured(self, data, height=0.0):
+        """An actor of polygons in the colours of their objects' numbers."""
         numbers = data.GetCellData().GetArray("object")
         colours = vtkCommonCore.vtkUnsignedCharArray()
         colours.SetNumberOfComponents(3)
@@ -188,23 +204,40 @@ class Picture:
             number = int(numbers.GetTuple1(i)) if numbers else 0
             colours.InsertNextTuple3(*PALETTE[number % len(PALETTE)])
         data.GetCellData().SetScalars(colours)
-        actor = actor_of(data, None, 3*self.width)
+        actor = self.placed(data, None, height)
         actor.GetMapper().ScalarVisibilityOn()
         actor.GetMapper().SetScalarModeToUseCellData()
-        self.add_inside(actor)
+        return actor
 
-        edges = actor_of(surfaces, (0.15, 0.15, 0.15), 4*self.width)
+    def add_objects(self, surfaces):
+        """Each object filled in the colour of its number, with its outline."""
+        triangles = vtkFiltersCore.vtkTriangleFilter()
+        triangles.SetInputData(surfaces)
+        triangles.Update()
+        self.add_inside(self.coloured(triangles.GetOutput(), 3))
+
+        edges = self.placed(surfaces, (0.15, 0.15, 0.15), 4)
         edges.GetProperty().SetRepresentationToWireframe()
         self.add_inside(edges)
 
     def add_springs(self, springs):
-        actor = actor_of(springs, (0.3, 0.3, 0.3), 3.5*self.width)
+        actor = self.placed(springs, (0.3, 0.3, 0.3), 3.5)
         self.add_inside(actor, 0.5)
 
     def pixels(self):
         """Width and height of the picture."""
         wide = round(self.width*self.scale) + self.bar + 2*MARGIN
         return wide, round(self.height*self.scale) + TITLE_HEIGHT + 2*MARGIN
+
+    def set_camera(self, camera, high):
+        """Looks at the plane from above; high: pixels of the picture."""
+        shift = (
+            0.5*(self.bounds[0] + self.bounds[1]) + 0.5*self.bar/self.scale,
+            0.5*(self.bounds[2] + self.bounds[3]) - 0.5*TITLE_HEIGHT/self.scale,
+        )
+        camera.SetFocalPoint(*shift, 0)
+        camera.SetPosition(*shift, 100*self.width)
+        camera.SetParallelScale(0.5*high/self.scale)
 
     def image(self):
         """The picture as VTK image data."""
@@ -217,13 +250,7 @@ class Picture:
 
         camera = self.renderer.GetActiveCamera()
         camera.ParallelProjectionOn()
-        shift = (
-            0.5*(self.bounds[0] + self.bounds[1]) + 0.5*self.bar/self.scale,
-            0.5*(self.bounds[2] + self.bounds[3]) - 0.5*TITLE_HEIGHT/self.scale,
-        )
-        camera.SetFocalPoint(*shift, 0)
-        camera.SetPosition(*shift, 100*self.width)
-        camera.SetParallelScale(0.5*high/self.scale)
+        self.set_camera(camera, high)
         self.renderer.ResetCameraClippingRange()
         window.Render()
 

@@ -41,7 +41,10 @@ Foam::scalarField Foam::fsi::shapeMesh::elementVolumes() const
         const bodyElement& element = elements[elementi];
         const point& a = points[element[0]];
         const vector normal = (points[element[1]] - a)^(points[element[2]] - a);
-        result[elementi] = 0.5*normal.z();
+        result[elementi] =
+            element[3] < 0
+          ? 0.5*normal.z()
+          : (normal & (points[element[3]] - a))/6;
     }
     return result;
 }
