@@ -224,7 +224,7 @@ void Foam::fsi::populationCheck::checkOutlines
             continue;
         }
         const bool isFree =
-            objects.groups()[objects.objectGroup(objecti)].free();
+            objects.groups()[objects.objectGroup(objecti)].movesFreely();
         if (isFree && isOutside(boundBox(polygon, false)))
         {
             found.outside.append(id);

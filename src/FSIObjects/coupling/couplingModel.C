@@ -54,11 +54,11 @@ Foam::autoPtr<Foam::fsi::couplingModel> Foam::fsi::couplingModel::New
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-void Foam::fsi::couplingModel::constrainVolume(groupNodal& v) const
+void Foam::fsi::couplingModel::constrain(groupNodal& v) const
 {
     forAll(v, groupi)
     {
-        system_.objects.groups()[groupi].constrainVolume
+        system_.objects.groups()[groupi].constrain
         (
             system_.deltaT(),
             v[groupi]

@@ -44,9 +44,9 @@ void Foam::fsi::noFluid::begin
     const scalar dt = time.deltaTValue();
 
     predictShared(system_.objects, time.value() - dt, dt, force, velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
     contact(velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 }
 

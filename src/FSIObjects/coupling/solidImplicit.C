@@ -62,29 +62,10 @@ void Foam::fsi::solidImplicit::addRigid
     system_.toBoundary(nodal, boundary);
     forAll(force, groupi)
     {
-        const bodyGroup& group = system_.objects.groups()[groupi];
-        if (!group.free())
-        {
-            continue;
-        }
-        const Eigen::MatrixXd& r = group.response().rotationModes();
-        const scalarField& masses = group.shape().nodeMasses();
-        const Eigen::Map<const Eigen::VectorXd> mass
+        system_.objects.groups()[groupi].addRigidForce
         (
-            masses.cdata(),
-            masses.size()
+            boundary[groupi], force[groupi]
         );
-        const label nDims = group.shape().nDims();
-        for (label first = 0; first < r.cols(); first += nDims)
-        {
-            const auto f = boundary[groupi].middleCols(first, nDims);
-            const auto mode = r.middleCols(first, nDims);
-            const scalar turn =
-                mode.topRows(f.rows()).cwiseProduct(f).sum();
-            const Eigen::RowVectorXd net(f.colwise().sum()/mass.sum());
-            force[groupi].middleCols(first, nDims) +=
-                mass*net + turn*(mass.asDiagonal()*mode);
-        }
     }
 }
 
@@ -99,8 +80,11 @@ void Foam::fsi::solidImplicit::addResponse
     {
         if (force[groupi].size())
         {
-            Eigen::MatrixXd v(force[groupi].rows(), force[groupi].cols());
-            system_.objects.groups()[groupi].respond(force[groupi], v);
+            Eigen::MatrixXd v;
+            system_.objects.groups()[groupi].response().respond
+            (
+                force[groupi], v
+            );
             velocity[groupi] += v;
         }
     }
@@ -117,17 +101,14 @@ void Foam::fsi::solidImplicit::predict
     groupNodal rest(load.size());
     forAll(rest, groupi)
     {
-        bodyGroup& group = system_.objects.groups()[groupi];
-        if (group.divisible())
-        {
-            rest[groupi] = group.splitLoad(load[groupi]);
-        }
+        rest[groupi] =
+            system_.objects.groups()[groupi].splitLoad(load[groupi]);
         load[groupi] += force[groupi];
     }
     addRigid(gradientForce_, load);
     predictShared(system_.objects, time, system_.deltaT(), load, predicted_);
     addResponse(rest, predicted_);
-    constrainVolume(predicted_);
+    constrain(predicted_);
 }
 
 
@@ -180,7 +161,7 @@ void Foam::fsi::solidImplicit::solveMomentum(fvVectorMatrix& UEqn)
     system_.fluid.constrain(UEqn);
 
     viscous_.solve(UEqn, U, predicted_, velocity_, linkForce_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
     contact(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 }
@@ -251,7 +232,7 @@ void Foam::fsi::solidImplicit::end
 )
 {
     limitContact(velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
     system_.objects.toSurface(velocity_, wallVelocity_);
 
     vectorField nodal;

@@ -9,38 +9,11 @@
 
 Foam::fsi::laneResponse::laneResponse(const bodyGroup& group)
 :
-    viscousResponse(group)
+    woodburyResponse(group)
 {}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::laneResponse::makeModes()
-{
-    const bodyResponse& response = group_.response();
-    const label nB = group_.shape().nBoundaryNodes();
-    const Eigen::MatrixXd rotations[2] =
-    {
-        response.rotationModes().topRows(nB),
-        response.elasticRotation().topRows(nB)
-    };
-    for (label mode = 0; mode < 2; ++mode)
-    {
-        modes_[mode] = multiply(rotations[mode]);
-    }
-
-    added_.resize(group_.size());
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        Eigen::Matrix2d E;
-        E.col(0) = project(rotations[0], copyi, 2);
-        E.col(1) = project(rotations[1], copyi, 2);
-        E(0, 0) += 1;
-        E(1, 1) -= 1;
-        added_[copyi] = -E.inverse();
-    }
-}
-
 
 void Foam::fsi::laneResponse::factorBlock
 (
@@ -84,9 +57,42 @@ void Foam::fsi::laneResponse::factorBlock
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
+void Foam::fsi::laneResponse::makeModes()
+{
+    const label nB = group_.shape().nBoundaryNodes();
+    std::vector<Eigen::MatrixXd> rotations;
+    scalarList signs;
+    for (const bodyResponse::mode& mode : group_.response().modes())
+    {
+        if (mode.kind != bodyResponse::modeKind::volume)
+        {
+            rotations.emplace_back(mode.values.topRows(nB));
+            signs.append(mode.sign);
+        }
+    }
+    modes_.clear();
+    for (const Eigen::MatrixXd& rotation : rotations)
+    {
+        modes_.push_back(multiply(rotation));
+    }
+
+    const label n(rotations.size());
+    added_.resize(group_.size());
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        modeMatrix E(n, n);
+        for (label mode = 0; mode < n; ++mode)
+        {
+            E.col(mode) = project(modes_, rotations[mode], copyi, n);
+            E(mode, mode) += signs[mode];
+        }
+        added_[copyi] = -E.inverse();
+    }
+}
+
+
 void Foam::fsi::laneResponse::makeMatrices(const std::vector<copyLink>* links)
 {
-    makeModes();
     factors_.resize
     (
         (group_.size() + lanes() - 1)/lanes()

@@ -10,7 +10,7 @@ namespace Foam
 namespace fsi
 {
 
-//- For each row of nodes of each free elastic object and its friction:
+//- For each row of nodes of the objects that have free waves, and its friction:
 //  action(object, row, friction)
 template<class Action>
 static void forShortWaves(const fsiSystem& system, const Action& action)
@@ -29,7 +29,7 @@ static void forShortWaves(const fsiSystem& system, const Action& action)
     forAll(system.objects.groups(), groupi)
     {
         const bodyGroup& group = system.objects.groups()[groupi];
-        if (!group.free() || group.shape().membrane())
+        if (!group.hasFreeWaves())
         {
             continue;
         }

@@ -76,13 +76,12 @@ Foam::fsi::viscousCoupling::viscousCoupling(const fsiSystem& system)
 
 void Foam::fsi::viscousCoupling::updateTransposedStress()
 {
-    transposed_ = transposedModes(system_);
-    const std::vector<transposedMode> strains
-    (
-        transposed_.begin() + 1,
-        transposed_.end()
-    );
-    transposed_.resize(1);
+    transposed_.clear();
+    std::vector<transposedMode> strains;
+    for (transposedMode& mode : transposedModes(system_))
+    {
+        (mode.sign > 0 ? transposed_ : strains).push_back(std::move(mode));
+    }
 
     const surfaceSet& surfaces = system_.objects.surfaces();
     strainForce_.setSize(surfaces.points().size());
@@ -129,13 +128,21 @@ void Foam::fsi::viscousCoupling::updateResponses
     addShortWaves(system_, copyLinks_);
 
     updateTransposedStress();
-    fsiSystem::groupNodal rotation;
-    system_.toBoundary(transposed_.front().vectors, rotation);
+    List<std::vector<Eigen::MatrixXd>> resisting(objects.groups().size());
+    fsiSystem::groupNodal nodal;
+    for (const transposedMode& mode : transposed_)
+    {
+        system_.toBoundary(mode.vectors, nodal);
+        forAll(nodal, groupi)
+        {
+            resisting[groupi].push_back(nodal[groupi]);
+        }
+    }
     responses_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
-        if (!group.free())
+        if (!group.movesFreely())
         {
             continue;
         }
@@ -147,7 +154,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         (
             system_.deltaT(),
             copyLinks_.data() + objects.objectIndex(groupi, 0),
-            rotation[groupi],
+            resisting[groupi],
             predicted[groupi]
         );
     }

@@ -172,7 +172,7 @@ Foam::label Foam::fsi::population::addShape
     }
     shapes_.append(shape);
     motions_.append(motion);
-    groups_.append(new bodyGroup(shapes_.last(), motions_.last()));
+    groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
     renumber();
     return groups_.size() - 1;
 }

@@ -35,9 +35,9 @@ static void boundaryRows
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::fsi::population::free(const label objecti) const
+bool Foam::fsi::population::movesFreely(const label objecti) const
 {
-    return groups_[objectGroup_[objecti]].free();
+    return groups_[objectGroup_[objecti]].movesFreely();
 }
 
 

@@ -163,7 +163,7 @@ void Foam::fsi::predictShared
             Pstream::myProcNo(),
             [&](const label groupi, const labelRange& copies)
             {
-                groups[groupi].predict
+                groups[groupi].predictRange
                 (
                     dt,
                     force[groupi],

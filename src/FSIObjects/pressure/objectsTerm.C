@@ -26,7 +26,7 @@ void Foam::fsi::objectsTerm::velocity
     forAll(force_, groupi)
     {
         velocity_[groupi].resize(force_[groupi].rows(), force_[groupi].cols());
-        system_.objects.groups()[groupi].respondBoundary
+        system_.objects.groups()[groupi].response().respondBoundary
         (
             force_[groupi],
             velocity_[groupi]

@@ -27,7 +27,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         const shapeTemplate& shape = objects_.groups().last().shape();
         outlines.append(outline(shape.points(), shape.faces()));
         names.append(shape.name());
-        prescribed.append(!objects_.groups().last().free());
+        prescribed.append(!objects_.groups().last().movesFreely());
         checkThickness(e.dict(), outlines.last());
     }
     space_.reset
@@ -254,7 +254,7 @@ void Foam::fsi::seeding::report(Ostream& os) const
             << shape.nNodes() << " nodes (" << shape.nBoundaryNodes()
             << " on the boundary), area " << shape.referenceVolume()
             << " m2, mass " << shape.mass() << " kg, "
-            << (group.free() ? "free" : "prescribed motion")
+            << (group.movesFreely() ? "free" : "prescribed motion")
             << ", area fraction " << area/domainArea << nl;
     }
     os  << "    all: " << objects_.size() << " objects, "

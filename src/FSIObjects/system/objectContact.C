@@ -10,7 +10,7 @@ Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
     for (const bodyGroup& group : objects.groups())
     {
         least = min(least, group.shape().youngsModulus());
-        if (group.free())
+        if (group.movesFreely())
         {
             leastFree = min(leastFree, group.shape().youngsModulus());
         }
@@ -141,13 +141,12 @@ void Foam::fsi::objectContact::respond(fsiSystem::groupNodal& v) const
     system_.objects.toGroups(force_, force);
     forAll(v, groupi)
     {
-        const bodyGroup& group = system_.objects.groups()[groupi];
-        if (group.free())
-        {
-            Eigen::MatrixXd change(v[groupi].rows(), v[groupi].cols());
-            group.respond(force[groupi], change);
-            v[groupi] += change;
-        }
+        Eigen::MatrixXd change;
+        system_.objects.groups()[groupi].response().respond
+        (
+            force[groupi], change
+        );
+        v[groupi] += change;
     }
 }
 

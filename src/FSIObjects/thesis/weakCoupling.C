@@ -62,9 +62,9 @@ void Foam::fsi::weakCoupling::predict
         total[groupi] += force_[groupi];
     }
     predictShared(system_.objects, time, dt, total, velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
     contact(velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
 }
 
 
@@ -166,7 +166,7 @@ void Foam::fsi::weakCoupling::end
 )
 {
     limitContact(velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
 }
 
 
