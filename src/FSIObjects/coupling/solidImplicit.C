@@ -5,6 +5,7 @@
 #include "dictionaryCheck.H"
 #include "filmPressure.H"
 #include "openLaplacian.H"
+#include "rigidForce.H"
 #include "sharedPrediction.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -48,7 +49,7 @@ void Foam::fsi::solidImplicit::pressureForce
     vectorField nodal;
     system_.walls.transposeAtWalls(p, nodal);
     nodal *= system_.fluidDensity;
-    system_.objects.toGroups(nodal, force);
+    system_.objects.layout().toGroups(nodal, force);
 }
 
 
@@ -59,12 +60,12 @@ void Foam::fsi::solidImplicit::addRigid
 ) const
 {
     groupNodal boundary;
-    system_.toBoundary(nodal, boundary);
+    system_.objects.layout().toBoundary(nodal, boundary);
     forAll(force, groupi)
     {
-        system_.objects.groups()[groupi].addRigidForce
+        addRigidForce
         (
-            boundary[groupi], force[groupi]
+            system_.objects.groups()[groupi], boundary[groupi], force[groupi]
         );
     }
 }
@@ -148,10 +149,9 @@ void Foam::fsi::solidImplicit::begin
     vectorField nodal;
     system_.walls.transpose(last.primitiveField(), nodal);
     groupNodal total;
-    system_.objects.toGroups(system_.fluidDensity*nodal, total);
+    system_.objects.layout().toGroups(system_.fluidDensity*nodal, total);
     predict(time, total, force);
-    velocity_ = predicted_;
-    system_.objects.toSurface(velocity_, wallVelocity_);
+    velocity_.change() = predicted_;
 }
 
 
@@ -160,10 +160,9 @@ void Foam::fsi::solidImplicit::solveMomentum(fvVectorMatrix& UEqn)
     volVectorField& U = const_cast<volVectorField&>(UEqn.psi());
     system_.fluid.constrain(UEqn);
 
-    viscous_.solve(UEqn, U, predicted_, velocity_, linkForce_);
+    viscous_.solve(UEqn, U, predicted_, velocity_.change(), linkForce_);
     constrain(velocity_);
     contact(velocity_);
-    system_.objects.toSurface(velocity_, wallVelocity_);
 }
 
 
@@ -185,7 +184,7 @@ void Foam::fsi::solidImplicit::solvePressure
     vectorField oldPart;
     term_.velocity(last, oldPart);
     scalarField source(p.size());
-    system_.walls.flux(oldPart - wallVelocity_, source);
+    system_.walls.flux(oldPart - velocity_.surface(), source);
     subtractOutflow(phiHbyA, source);
 
     solveWithObjects(p, pEqn.ref(), source);
@@ -196,8 +195,7 @@ void Foam::fsi::solidImplicit::solvePressure
     // Velocities of all nodes with the increment of the pressure
     groupNodal force;
     pressureForce(system_.walls.atWalls(p) - last, force);
-    addResponse(force, velocity_);
-    system_.objects.toSurface(velocity_, wallVelocity_);
+    addResponse(force, velocity_.change());
 }
 
 
@@ -233,7 +231,6 @@ void Foam::fsi::solidImplicit::end
 {
     limitContact(velocity_);
     constrain(velocity_);
-    system_.objects.toSurface(velocity_, wallVelocity_);
 
     vectorField nodal;
     system_.walls.transpose(p.primitiveField(), nodal);

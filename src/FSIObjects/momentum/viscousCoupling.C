@@ -132,7 +132,7 @@ void Foam::fsi::viscousCoupling::updateResponses
     fsiSystem::groupNodal nodal;
     for (const transposedMode& mode : transposed_)
     {
-        system_.toBoundary(mode.vectors, nodal);
+        system_.objects.layout().toBoundary(mode.vectors, nodal);
         forAll(nodal, groupi)
         {
             resisting[groupi].push_back(nodal[groupi]);
@@ -168,7 +168,7 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
     links_.addForce(system_.fluidDensity, nodal_);
     sumOverRanks(nodal_);
     nodal_ += strainForce_;
-    system_.toBoundary(nodal_, groupForce_);
+    system_.objects.layout().toBoundary(nodal_, groupForce_);
     forAll(v, groupi)
     {
         if (responses_[groupi])
@@ -193,7 +193,7 @@ void Foam::fsi::viscousCoupling::overRelax(fsiSystem::groupNodal& v)
 
 void Foam::fsi::viscousCoupling::setWalls(const fsiSystem::groupNodal& v)
 {
-    system_.fromBoundary(v, nodalVelocity_);
+    system_.objects.layout().toSurface(v, nodalVelocity_);
     links_.setSources(nodalVelocity_);
 }
 
@@ -207,7 +207,7 @@ void Foam::fsi::viscousCoupling::startCorrection(const scalar norm)
 
 void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
 {
-    system_.fromBoundary(v, nodalVelocity_);
+    system_.objects.layout().toSurface(v, nodalVelocity_);
     links_.setResiduals(nodalVelocity_);
 }
 

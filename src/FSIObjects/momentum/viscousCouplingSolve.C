@@ -68,7 +68,7 @@ void Foam::fsi::viscousCoupling::finish
     );
 
     velocity = predicted;
-    system_.objects.toGroups(force, groupForce_);
+    system_.objects.layout().toGroups(force, groupForce_);
     forAll(velocity, groupi)
     {
         if (responses_[groupi])

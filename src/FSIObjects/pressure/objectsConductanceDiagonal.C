@@ -8,7 +8,7 @@ void Foam::fsi::objectsConductance::rowSums(scalarField& d) const
 {
     vectorField uniform(system_.walls.uniformForce());
     fsiSystem::groupNodal force;
-    system_.toBoundary(uniform, force);
+    system_.objects.layout().toBoundary(uniform, force);
 
     const scalar dt = system_.deltaT();
     forAll(force, groupi)
@@ -21,7 +21,7 @@ void Foam::fsi::objectsConductance::rowSums(scalarField& d) const
         );
         force[groupi] = (dt*system_.fluidDensity)*v;
     }
-    system_.fromBoundary(force, uniform);
+    system_.objects.layout().toSurface(force, uniform);
     system_.walls.addGrossFluxAtWalls(uniform, d);
 }
 

@@ -20,7 +20,7 @@ void Foam::fsi::objectsTerm::velocity
 {
     system_.walls.transposeAtWalls(p, nodal_);
     nodal_ *= system_.fluidDensity;
-    system_.toBoundary(nodal_, force_);
+    system_.objects.layout().toBoundary(nodal_, force_);
 
     velocity_.setSize(force_.size());
     forAll(force_, groupi)
@@ -32,7 +32,7 @@ void Foam::fsi::objectsTerm::velocity
             velocity_[groupi]
         );
     }
-    system_.fromBoundary(velocity_, v);
+    system_.objects.layout().toSurface(velocity_, v);
 }
 
 

@@ -121,32 +121,19 @@ void Foam::fsi::objectContact::setBodies()
 }
 
 
-void Foam::fsi::objectContact::withVelocities
-(
-    const fsiSystem::groupNodal& v,
-    const std::function<void()>& look
-)
-{
-    vectorField& velocities = system_.objects.surfaces().velocities();
-    vectorField kept(velocities);
-    system_.objects.toSurface(v, velocities);
-    look();
-    velocities = kept;
-}
-
-
-void Foam::fsi::objectContact::respond(fsiSystem::groupNodal& v) const
+void Foam::fsi::objectContact::respond(nodeVelocities& v) const
 {
     fsiSystem::groupNodal force;
-    system_.objects.toGroups(force_, force);
-    forAll(v, groupi)
+    system_.objects.layout().toGroups(force_, force);
+    fsiSystem::groupNodal& velocities = v.change();
+    forAll(velocities, groupi)
     {
         Eigen::MatrixXd change;
         system_.objects.groups()[groupi].response().respond
         (
             force[groupi], change
         );
-        v[groupi] += change;
+        velocities[groupi] += change;
     }
 }
 
@@ -172,13 +159,14 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::objectContact::calculate()
+void Foam::fsi::objectContact::calculate(const vectorField& velocities)
 {
     setBodies();
     prepareSearch();
     contact_.calculate
     (
         system_.objects.surfaces(),
+        velocities,
         bodies_,
         walls_,
         axisPoints_,
@@ -199,18 +187,11 @@ void Foam::fsi::objectContact::measure()
 }
 
 
-void Foam::fsi::objectContact::push(fsiSystem::groupNodal& v)
+void Foam::fsi::objectContact::push(nodeVelocities& v)
 {
     if (!explicitForces())
     {
-        withVelocities
-        (
-            v,
-            [this]()
-            {
-                calculate();
-            }
-        );
+        calculate(v.surface());
         respond(v);
     }
 }
@@ -220,9 +201,9 @@ void Foam::fsi::objectContact::addForce(fsiSystem::groupNodal& force)
 {
     if (explicitForces())
     {
-        calculate();
+        calculate(system_.objects.surfaces().velocities());
         fsiSystem::groupNodal contactForce;
-        system_.objects.toGroups(force_, contactForce);
+        system_.objects.layout().toGroups(force_, contactForce);
         forAll(force, groupi)
         {
             force[groupi] += contactForce[groupi];
@@ -231,22 +212,16 @@ void Foam::fsi::objectContact::addForce(fsiSystem::groupNodal& force)
 }
 
 
-void Foam::fsi::objectContact::limit(fsiSystem::groupNodal& v)
+void Foam::fsi::objectContact::limit(nodeVelocities& v)
 {
-    withVelocities
+    nLimited_ = contact_.limit
     (
-        v,
-        [&]()
-        {
-            nLimited_ = contact_.limit
-            (
-                system_.objects.surfaces(),
-                bodies_,
-                walls_,
-                system_.deltaT(),
-                force_
-            );
-        }
+        system_.objects.surfaces(),
+        v.surface(),
+        bodies_,
+        walls_,
+        system_.deltaT(),
+        force_
     );
     if (nLimited_ > 0)
     {

@@ -5,6 +5,7 @@
 #include "matrixEntry.H"
 #include "membraneBodies.H"
 #include "prescribedBodies.H"
+#include "rigidBodies.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -16,28 +17,6 @@ void Foam::fsi::bodyGroup::resize(const label nCopies)
     objectIds_.resize(nCopies, -1);
     resizeState(nCopies);
 }
-
-
-// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
-
-void Foam::fsi::bodyGroup::resizeState(const label)
-{}
-
-
-void Foam::fsi::bodyGroup::startState(const label)
-{}
-
-
-void Foam::fsi::bodyGroup::copyState(const label, const label)
-{}
-
-
-void Foam::fsi::bodyGroup::writeState(Ostream&) const
-{}
-
-
-void Foam::fsi::bodyGroup::readState(const dictionary&)
-{}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -65,6 +44,18 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
         (
             new prescribedBodies(shape, std::move(motion))
         );
+    }
+    if (shape.rigid())
+    {
+        return autoPtr<bodyGroup>(new rigidBodies(shape));
+    }
+    if (shape.elements().empty())
+    {
+        FatalIOErrorInFunction(motionDict)
+            << "Shape " << shape.name() << " has a surface alone, without"
+            << " elements inside, so that it is rigid or has a prescribed"
+            << " motion; entry 'type' of its material is none of rigid, or"
+            << " entry 'type' of its motion is free" << exit(FatalIOError);
     }
     if (shape.membrane())
     {
@@ -130,16 +121,6 @@ void Foam::fsi::bodyGroup::predictRange
         << "The copies of shape " << shape_.name()
         << " are predicted all at once only" << exit(FatalError);
 }
-
-
-Eigen::MatrixXd Foam::fsi::bodyGroup::splitLoad(Eigen::MatrixXd&)
-{
-    return Eigen::MatrixXd();
-}
-
-
-void Foam::fsi::bodyGroup::constrain(const scalar, Eigen::MatrixXd&) const
-{}
 
 
 void Foam::fsi::bodyGroup::move(const scalar dt, const Eigen::MatrixXd& v)

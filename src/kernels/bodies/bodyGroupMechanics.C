@@ -53,52 +53,9 @@ Foam::vector Foam::fsi::bodyGroup::massAverage
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::bodyGroup::addRigidForce
-(
-    const Eigen::MatrixXd& boundaryForce,
-    Eigen::MatrixXd& force
-) const
-{
-    const Eigen::Map<const Eigen::VectorXd> masses
-    (
-        shape_.nodeMasses().cdata(),
-        shape_.nNodes()
-    );
-    for (label copyi = 0; copyi < size(); ++copyi)
-    {
-        const auto given = ofCopy(boundaryForce, copyi);
-        auto result = ofCopy(force, copyi);
-        const Eigen::RowVectorXd net(given.colwise().sum()/masses.sum());
-        result += masses*net;
-        for (const bodyResponse::mode& mode : response().modes())
-        {
-            if (mode.kind == bodyResponse::modeKind::rotation)
-            {
-                const auto values = ofCopy(mode.values, copyi);
-                const scalar turn =
-                    values.topRows(given.rows()).cwiseProduct(given).sum();
-                result += turn*(masses.asDiagonal()*values);
-            }
-        }
-    }
-}
-
-
-Foam::scalar Foam::fsi::bodyGroup::innerDissipation(const label) const
-{
-    return 0;
-}
-
-
 void Foam::fsi::bodyGroup::internalForce(Eigen::MatrixXd& force) const
 {
     force.setZero(positions_.rows(), positions_.cols());
-}
-
-
-Foam::scalar Foam::fsi::bodyGroup::elasticEnergy() const
-{
-    return 0;
 }
 
 

@@ -128,11 +128,12 @@ void Foam::fsi::contact::setStretches
 Foam::fsi::contactProblem Foam::fsi::contact::problem
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const scalar dt
 ) const
 {
-    return {surfaces, bodies, found_, film_(), scales_.range, dt};
+    return {surfaces, velocities, bodies, found_, film_(), scales_.range, dt};
 }
 
 
@@ -176,7 +177,10 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
     }
     count(surfaces);
     statistics_.potentialEnergy =
-        law_->potentialEnergy(problem(surfaces, bodies, GREAT));
+        law_->potentialEnergy
+        (
+            problem(surfaces, surfaces.velocities(), bodies, GREAT)
+        );
     return statistics_;
 }
 
@@ -184,6 +188,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
 const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
     const UList<medialAxisPoint>& medialAxis,
@@ -196,7 +201,10 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
-    law_->addForces(problem(surfaces, bodies, dt), force, statistics_);
+    law_->addForces
+    (
+        problem(surfaces, velocities, bodies, dt), force, statistics_
+    );
     return statistics_;
 }
 
@@ -204,6 +212,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 Foam::label Foam::fsi::contact::limit
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
     const scalar dt,
@@ -212,14 +221,14 @@ Foam::label Foam::fsi::contact::limit
 {
     force.setSize(surfaces.points().size());
     force = Zero;
-    if (!mayClose(surfaces, dt))
+    if (!mayClose(surfaces, velocities, dt))
     {
         return 0;
     }
 
     // Pairs where the step would put the surfaces
     moved_ = surfaces;
-    moved_.points() += dt*surfaces.velocities();
+    moved_.points() += dt*velocities;
     find
     (
         limitSearch_(),
@@ -243,7 +252,7 @@ Foam::label Foam::fsi::contact::limit
     // Their gaps at the start of the step, along the same normals
     const contactProblem problem
     {
-        moved_, bodies, closing_, noFilm_, minimumGap_, dt
+        moved_, velocities, bodies, closing_, noFilm_, minimumGap_, dt
     };
     for (contactPair& pair : closing_.pairs)
     {

@@ -21,7 +21,8 @@ void Foam::fsi::contact::find
     search.find(all, walls, medialAxis, range, found);
 
     // What images' nodes find their originals find with other images. Between
-    // walls and objects that are moved as prescribed nothing can act
+    // walls and objects that are moved as prescribed nothing can act, nor
+    // within a rigid object
     label n = 0;
     for (const contactPair& pair : found.pairs)
     {
@@ -36,9 +37,12 @@ void Foam::fsi::contact::find
             kept.other = all.original(pair.other);
             kept.face = all.originalFace(pair.face);
         }
-        n +=
-            !bodies[surfaces.pointObject()[kept.node]].prescribed
+        const label own = surfaces.pointObject()[kept.node];
+        const bool within = kept.other == own && kept.face >= 0;
+        const bool acts =
+            !bodies[own].prescribed
          || (kept.other >= 0 && !bodies[kept.other].prescribed);
+        n += acts && !(within && bodies[own].keepsShape);
     }
     found.pairs.resize(n);
 }
@@ -93,6 +97,7 @@ void Foam::fsi::contact::count(const surfaceSet& surfaces)
 bool Foam::fsi::contact::mayClose
 (
     const surfaceSet& surfaces,
+    const vectorField& v,
     const scalar dt
 ) const
 {
@@ -102,7 +107,6 @@ bool Foam::fsi::contact::mayClose
     }
 
     // Mean velocity of each object, and how far its nodes' are from it
-    const vectorField& v = surfaces.velocities();
     vectorField mean(surfaces.size(), Zero);
     scalarField spread(surfaces.size(), Zero);
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)

@@ -92,6 +92,10 @@ void Foam::fsi::groupContact::setNodes
     for (const label objecti : objects)
     {
         bodies.setRest(objecti, rest_);
+        if (group_.keepsShape())
+        {
+            bodies.setKeepsShape(objecti);
+        }
         if (!group_.movesFreely())
         {
             bodies.setPrescribed(objecti);

@@ -72,7 +72,10 @@ bool Foam::fsi::membraneMaterial::chosen(const dictionary& dict)
     return
         readChoice
         (
-            dict, "type", "elastic", {"elastic", "neoHookean", "membrane"}
+            dict,
+            "type",
+            "elastic",
+            {"elastic", "neoHookean", "membrane", "rigid"}
         )
      == "membrane";
 }

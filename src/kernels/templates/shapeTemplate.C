@@ -4,6 +4,7 @@
 #include "dictionaryCheck.H"
 #include "elasticMaterial.H"
 #include "elementViscosity.H"
+#include "massPoints.H"
 #include "shape.H"
 
 #include <algorithm>
@@ -57,6 +58,20 @@ static edgeList newSprings(const shapeMesh& mesh, const bool membrane)
         springs[i] = edge(mesh.faces[i][0], mesh.faces[i][1]);
     }
     return springs;
+}
+
+
+//- Does the material make the body rigid?
+static bool isRigid(const dictionary& material)
+{
+    return material.lookupOrDefault<word>("type", "elastic") == "rigid";
+}
+
+
+//- Does the body keep the elements of its mesh?
+static bool hasInside(const shapeMesh& mesh, const bool rigid)
+{
+    return mesh.elements.size() && !rigid;
 }
 
 
@@ -178,13 +193,18 @@ Foam::fsi::shapeTemplate::shapeTemplate
     materialDict_(dict.subDict("material")),
     density_(readPositive(materialDict_, "density")),
     membrane_(newMembrane(materialDict_)),
+    rigid_(isRigid(materialDict_)),
     youngsModulus_
     (
-        membrane_.valid() ? 0 : readPositive(materialDict_, "E")
+        rigid_
+      ? GREAT
+      : membrane_.valid() ? 0 : readPositive(materialDict_, "E")
     ),
     areaStiffness_
     (
-        readNonNegative(materialDict_, "areaStiffness", 10*youngsModulus_)
+        rigid_
+      ? 0
+      : readNonNegative(materialDict_, "areaStiffness", 10*youngsModulus_)
     ),
     shearModulus_
     (
@@ -196,11 +216,23 @@ Foam::fsi::shapeTemplate::shapeTemplate
     viscosity_(elasticMaterial::viscosity(materialDict_, areaStiffness_)),
     law_(newLaw(materialDict_, youngsModulus_)),
     admm_(dict.subOrEmptyDict("admm")),
-    mesh_(mesh),
+    mesh_(hasInside(mesh, rigid_) ? mesh : massPoints(mesh, nDims).mesh()),
     springs_(newSprings(mesh_, membrane_.valid())),
     nFactorisations_(0)
 {
-    elasticMaterial::check(dict, membrane_.valid());
+    if (rigid_)
+    {
+        checkKeys(materialDict_, {"type", "density"});
+    }
+    else
+    {
+        elasticMaterial::check(dict, membrane_.valid());
+    }
+    if (elements().empty())
+    {
+        setSurfaceAlone();
+        return;
+    }
     setGeometry();
     if (membrane_.valid())
     {

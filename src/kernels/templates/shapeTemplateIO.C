@@ -91,7 +91,7 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
     os.writeEntry("thickness", thickness_);
     os.writeEntry("nodeSpacing", nodeSpacing_);
     materialDict_.writeEntry("material", os);
-    if (!membrane_.valid())
+    if (!membrane_.valid() && !rigid_)
     {
         admm_.write(os);
     }

@@ -2,6 +2,7 @@
 
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
+#include "massPoints.H"
 #include "mathematicalConstants.H"
 #include "springCalibration.H"
 
@@ -37,6 +38,14 @@ void Foam::fsi::shapeTemplate::setGeometry()
         )
     );
     referenceVolume_ = sum(volumeTerm_->volumes())/thickness_;
+}
+
+
+void Foam::fsi::shapeTemplate::setSurfaceAlone()
+{
+    const massPoints body(mesh_, nDims_);
+    referenceVolume_ = body.volume();
+    nodeMasses_ = body.masses(mass());
 }
 
 
