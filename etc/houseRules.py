@@ -37,7 +37,6 @@ RANKS = (
 # Classes still to be cut; the list only gets shorter
 TO_BE_CUT = {
     "admmSolver",
-    "bodyGroup",
     "cartesianMultigrid",
     "colouredMatrix",
     "contact",

@@ -36,11 +36,10 @@ static autoPtr<springLaw> newLaw(const dictionary& material, const scalar E)
 //- The material of a membrane; null for an elastic body
 static autoPtr<membraneMaterial> newMembrane(const dictionary& material)
 {
+    const bool chosen = membraneMaterial::chosen(material);
     return autoPtr<membraneMaterial>
     (
-        membraneMaterial::chosen(material)
-      ? new membraneMaterial(material)
-      : nullptr
+        chosen ? new membraneMaterial(material) : nullptr
     );
 }
 
@@ -61,33 +60,16 @@ static edgeList newSprings(const shapeMesh& mesh, const bool membrane)
 }
 
 
-//- Does the material make the body rigid?
-static bool isRigid(const dictionary& material)
-{
-    return material.lookupOrDefault<word>("type", "elastic") == "rigid";
-}
-
-
-//- Does the body keep the elements of its mesh?
-static bool hasInside(const shapeMesh& mesh, const bool rigid)
-{
-    return mesh.elements.size() && !rigid;
-}
-
-
 //- Mesh of the shape named in the dictionary
 static shapeMesh newMesh
 (
     const dictionary& dict,
-    const scalar nodeSpacing,
+    const scalar spacing,
     const direction nDims
 )
 {
-    return shape::New(dict.subDict("shape"), nDims)->mesh
-    (
-        nodeSpacing,
-        meshGrading(dict.subOrEmptyDict("mesh"))
-    );
+    const meshGrading grading(dict.subOrEmptyDict("mesh"));
+    return shape::New(dict.subDict("shape"), nDims)->mesh(spacing, grading);
 }
 
 } // End namespace fsi
@@ -193,7 +175,7 @@ Foam::fsi::shapeTemplate::shapeTemplate
     materialDict_(dict.subDict("material")),
     density_(readPositive(materialDict_, "density")),
     membrane_(newMembrane(materialDict_)),
-    rigid_(isRigid(materialDict_)),
+    rigid_(materialDict_.lookupOrDefault<word>("type", "") == "rigid"),
     youngsModulus_
     (
         rigid_
@@ -216,7 +198,12 @@ Foam::fsi::shapeTemplate::shapeTemplate
     viscosity_(elasticMaterial::viscosity(materialDict_, areaStiffness_)),
     law_(newLaw(materialDict_, youngsModulus_)),
     admm_(dict.subOrEmptyDict("admm")),
-    mesh_(hasInside(mesh, rigid_) ? mesh : massPoints(mesh, nDims).mesh()),
+    mesh_
+    (
+        rigid_ || mesh.elements.empty()
+      ? massPoints(mesh, nDims).mesh()
+      : mesh
+    ),
     springs_(newSprings(mesh_, membrane_.valid())),
     nFactorisations_(0)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "rigidSamples.H"
-#include "OStringStream.H"
 
 #include <gtest/gtest.h>
 
@@ -249,48 +248,6 @@ TEST(rigidBodies, followForcesAndTorques)
             mag(group->angularMomentum(1) - dt*torque), 1e-11*mag(dt*torque)
         );
         EXPECT_LT(distortion(*group, nDims), 1e-14);
-    }
-}
-
-
-TEST(rigidBodies, goOnBitByBit)
-{
-    for (const direction nDims : {2, 3})
-    {
-        auto shape = rigidShape(blockSurface(lengths, nDims), nDims);
-        auto group = bodyGroup::New(*shape, dictionary());
-        for (label i = 0; i < 2; ++i)
-        {
-            group->append
-            (
-                point(i, 1, 0), tensor::I, vector(1, i, 0), vector(0, 0, 2), i
-            );
-        }
-        const Eigen::MatrixXd force
-        (
-            Eigen::MatrixXd::Constant(shape->nNodes(), 2*nDims, 0.7)
-        );
-        for (label i = 0; i < 5; ++i)
-        {
-            advance(*group, force, 1e-2);
-        }
-
-        OStringStream shapeText;
-        shape->write(shapeText);
-        const shapeTemplate restoredShape(IStringStream(shapeText.str())());
-        EXPECT_EQ(restoredShape.nNodes(), shape->nNodes());
-        EXPECT_TRUE(restoredShape.nodeMasses() == shape->nodeMasses());
-        OStringStream text;
-        group->write(text);
-        auto restored = bodyGroup::New(restoredShape, dictionary());
-        restored->read(IStringStream(text.str())());
-        for (label i = 0; i < 5; ++i)
-        {
-            advance(*group, force, 1e-2);
-            advance(*restored, force, 1e-2);
-        }
-        EXPECT_EQ(group->positions(), restored->positions());
-        EXPECT_EQ(group->velocities(), restored->velocities());
     }
 }
 
