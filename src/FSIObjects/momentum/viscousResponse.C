@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "denseResponse.H"
 #include "laneResponse.H"
 #include "modalResponse.H"
 #include "sparseResponse.H"
@@ -25,6 +26,10 @@ Foam::fsi::viscousResponse::New(const bodyGroup& group)
     if (group.response().matrix()->coupled())
     {
         return std::make_unique<sparseResponse>(group);
+    }
+    if (group.shape().nDims() == 3)
+    {
+        return std::make_unique<denseResponse>(group);
     }
     return std::make_unique<laneResponse>(group);
 }

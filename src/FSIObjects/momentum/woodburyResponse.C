@@ -95,14 +95,14 @@ void Foam::fsi::woodburyResponse::makeWoodbury()
 
 void Foam::fsi::woodburyResponse::makeSource()
 {
-    const Eigen::MatrixXd start(start().topRows(nRows()));
-    source_ = multiply(start);
+    const Eigen::MatrixXd predicted(start().topRows(nRows()));
+    source_ = multiply(predicted);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
         const modeVector amount
         (
             added_[copyi]
-           *project(modes_, start, copyi, added_[copyi].rows())
+           *project(modes_, predicted, copyi, added_[copyi].rows())
         );
         addModes(modes_, amount, copyi, source_);
     }

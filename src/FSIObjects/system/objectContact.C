@@ -4,15 +4,22 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
+Foam::scalar Foam::fsi::objectContact::leastModulus(const fsiSystem& system)
 {
+    const PtrList<bodyGroup>& groups = system.objects.groups();
+    const scalar speed = system.grid.spacing()/system.deltaT();
     scalar least = GREAT, leastFree = GREAT;
-    for (const bodyGroup& group : objects.groups())
+    for (const bodyGroup& group : groups)
     {
-        least = min(least, group.shape().youngsModulus());
+        const shapeTemplate& shape = group.shape();
+        const scalar modulus =
+            shape.rigid()
+          ? shape.density()*sqr(speed)
+          : shape.youngsModulus();
+        least = min(least, modulus);
         if (group.movesFreely())
         {
-            leastFree = min(leastFree, group.shape().youngsModulus());
+            leastFree = min(leastFree, modulus);
         }
     }
     if (leastFree < GREAT)
@@ -20,7 +27,7 @@ Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
         return leastFree;
     }
     // Without shapes nothing touches, and any value will do
-    return objects.groups().empty() ? 1 : least;
+    return groups.empty() ? 1 : least;
 }
 
 
@@ -148,7 +155,7 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
         system.properties.subOrEmptyDict("contact"),
         system.grid.nDims(),
         system.grid.spacing(),
-        leastModulus(system.objects),
+        leastModulus(system),
         system.fluidDensity*system.viscosity,
         system.sides.images()
     ),
