@@ -28,12 +28,10 @@ struct spheres
 static surfaceSet cubeOf(const spheres& s, const scalar h)
 {
     surfaceSet surfaces(3);
-    for (label i = 0; i < pow3(s.nPerSide); ++i)
+    const label n = s.nPerSide;
+    for (label i = 0; i < n*n*n; ++i)
     {
-        const vector place
-        (
-            i % s.nPerSide, i/s.nPerSide % s.nPerSide, i/sqr(s.nPerSide)
-        );
+        const vector place(i % n, i/n % n, i/(n*n));
         const point centre
         (
             (gap + 0.5*s.diameter)*h*vector::one
