@@ -122,12 +122,16 @@ bool factorPanel(double* values, const label i)
 }
 
 
-//- x := L^-1 x, then x := L^-T x, columns of nRows each
+//- x := L^-1 x, columns of width*nPanels rows each
 template<int nColumns>
-FSI_INLINE void solvePanels(const double* values, const label nPanels, double* x)
+FSI_INLINE void solveForward
+(
+    const double* own,
+    const label nPanels,
+    double* x
+)
 {
     const label nRows = width*nPanels;
-    const double* own = values;
     for (label i = 0; i < nPanels; ++i)
     {
         tileColumn sums[nColumns];
@@ -159,7 +163,20 @@ FSI_INLINE void solvePanels(const double* values, const label nPanels, double* x
         }
         own += width*width*(i + 1);
     }
+}
 
+
+//- x := L^-T x; end: that of the values
+template<int nColumns>
+FSI_INLINE void solveBackward
+(
+    const double* end,
+    const label nPanels,
+    double* x
+)
+{
+    const label nRows = width*nPanels;
+    const double* own = end;
     for (label i = nPanels - 1; i >= 0; --i)
     {
         own -= width*width*(i + 1);
@@ -205,13 +222,17 @@ void solveColumns
     double* x
 )
 {
+    const double* end =
+        values + std::size_t(width*width)*nPanels*(nPanels + 1)/2;
     if (nColumns == 3)
     {
-        solvePanels<3>(values, nPanels, x);
+        solveForward<3>(values, nPanels, x);
+        solveBackward<3>(end, nPanels, x);
     }
     else
     {
-        solvePanels<2>(values, nPanels, x);
+        solveForward<2>(values, nPanels, x);
+        solveBackward<2>(end, nPanels, x);
     }
 }
 

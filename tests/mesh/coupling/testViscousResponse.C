@@ -107,6 +107,37 @@ Eigen::MatrixXd compliance(const bodyGroup& group, const label copyi)
 }
 
 
+//- W + T T^T of a copy
+Eigen::MatrixXd resistance
+(
+    const shapeTemplate& shape,
+    const label copyi,
+    const std::vector<copyLink>& links,
+    const std::vector<Eigen::MatrixXd>& resisting
+)
+{
+    const label nDims = shape.nDims(), nB = shape.nBoundaryNodes();
+    Eigen::MatrixXd W(Eigen::MatrixXd::Zero(nDims*nB, nDims*nB));
+    for (const copyLink& link : links)
+    {
+        for (label k = 0; k < nDims*link.nNodes()*link.nNodes(); ++k)
+        {
+            const label d = k % nDims;
+            const label i = (k/nDims) % link.nNodes();
+            const label j = k/(nDims*link.nNodes());
+            W(d*nB + link.nodes[i], d*nB + link.nodes[j]) +=
+                link.coefficient*link.weights[i]*link.weights[j];
+        }
+    }
+    for (const Eigen::MatrixXd& mode : resisting)
+    {
+        const Eigen::VectorXd t(stacked(mode, shape, copyi));
+        W += t*t.transpose();
+    }
+    return W;
+}
+
+
 //- Compare with the dense solution of v + dt C (W + T T^T) v = v~ + dt C f
 void expectDense(const shapeTemplate& shape, const label nCopies)
 {
@@ -138,23 +169,10 @@ void expectDense(const shapeTemplate& shape, const label nCopies)
     ASSERT_EQ(v.rows(), nB);
     for (label copyi = 0; copyi < nCopies; ++copyi)
     {
-        Eigen::MatrixXd W(Eigen::MatrixXd::Zero(nDims*nB, nDims*nB));
-        for (const copyLink& link : links[copyi])
-        {
-            for (label k = 0; k < nDims*link.nNodes()*link.nNodes(); ++k)
-            {
-                const label d = k % nDims;
-                const label i = (k/nDims) % link.nNodes();
-                const label j = k/(nDims*link.nNodes());
-                W(d*nB + link.nodes[i], d*nB + link.nodes[j]) +=
-                    link.coefficient*link.weights[i]*link.weights[j];
-            }
-        }
-        for (const Eigen::MatrixXd& mode : resisting)
-        {
-            const Eigen::VectorXd t(stacked(mode, shape, copyi));
-            W += t*t.transpose();
-        }
+        const Eigen::MatrixXd W
+        (
+            resistance(shape, copyi, links[copyi], resisting)
+        );
         const Eigen::MatrixXd C(compliance(*group, copyi));
         const Eigen::MatrixXd all
         (
