@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "elementEnergy.H"
+#include "shearTerm.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -9,46 +10,65 @@ namespace Foam
 namespace fsi
 {
 
-//- Energy of the area terms of a copy [J]; subtracts their derivative from
-//  the nodes' forces, if there are any
-static scalar areaEnergy
+//- Subtract size*P g_n from the forces of a copy, if there are any
+template<int nDims>
+static void spread
 (
-    const volumeTerm& term,
-    const Eigen::Ref<const Eigen::MatrixXd>& x,
-    const label column,
+    const strainDomains& domains,
+    const label domaini,
+    const scalar size,
+    scalar* P,
+    const label copyi,
     Eigen::MatrixXd* force
 )
 {
-    const strainDomains& domains = term.areaDomains();
+    if (force)
+    {
+        for (int i = 0; i < nDims*nDims; ++i)
+        {
+            P[i] *= size;
+        }
+        domains.addForce(domaini, P, force->middleCols(nDims*copyi, nDims));
+    }
+}
+
+
+//- Energy of the area or volume terms, and their forces
+template<int nDims>
+static scalar volumeEnergy
+(
+    const volumeTerm& term,
+    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    const label copyi,
+    Eigen::MatrixXd* force
+)
+{
+    const strainDomains& domains = term.volumeDomains();
     scalar energy = 0;
     for (label domaini = 0; domaini < domains.size(); ++domaini)
     {
-        scalar F[4];
+        scalar F[nDims*nDims];
         domains.gradient(domaini, x, true, F);
-        F[0] += 1;
-        F[3] += 1;
-        const scalar stiffness = term.stiffness()*domains.volumes()[domaini];
-        energy += 0.25*stiffness*sqr(F[0]*F[3] - F[1]*F[2] - 1);
-        if (force)
+        for (int i = 0; i < nDims; ++i)
         {
-            volumeTerm::toGradient(F[0], F[1], F[2], F[3]);
-            for (scalar& part : F)
-            {
-                part *= stiffness;
-            }
-            domains.addForce(domaini, F, force->middleCols(column, 2));
+            F[(nDims + 1)*i] += 1;
         }
+        const scalar size = term.stiffness()*domains.volumes()[domaini];
+        energy += size*volumeTerm::energy<nDims>(F, term.shearPart());
+        volumeTerm::toGradient<nDims>(F, term.shearPart());
+        spread<nDims>(domains, domaini, size, F, copyi, force);
     }
     return energy;
 }
 
 
 //- The same for the shear of neo-Hookean bodies
+template<int nDims>
 static scalar shearEnergy
 (
     const shapeTemplate& shape,
     const Eigen::Ref<const Eigen::MatrixXd>& x,
-    const label column,
+    const label copyi,
     Eigen::MatrixXd* force
 )
 {
@@ -57,25 +77,41 @@ static scalar shearEnergy
         return 0;
     }
     const strainDomains& domains = shape.elementTerm().shearDomains();
+    const scalar stiffness = shearTerm::bound(nDims)*shape.shearModulus();
     scalar energy = 0;
     for (label domaini = 0; domaini < domains.size(); ++domaini)
     {
-        scalar F[4];
+        scalar F[nDims*nDims], H[nDims*nDims];
         domains.gradient(domaini, x, true, F);
-        const scalar size =
-            2*shape.shearModulus()*domains.volumes()[domaini];
+        std::copy(F, F + nDims*nDims, H);
+        shearTerm::toGradient<nDims>(F);
 
-        // The part that is not conformal is (c d; d -c)
-        const scalar c = 0.5*(F[0] - F[3]);
-        const scalar d = 0.5*(F[1] + F[2]);
-        energy += size*(sqr(c) + sqr(d));
-        if (force)
+        // A quadratic energy is half of the displacement times its force
+        const scalar size = stiffness*domains.volumes()[domaini];
+        for (int i = 0; i < nDims*nDims; ++i)
         {
-            const scalar P[4] = {size*c, size*d, size*d, -size*c};
-            domains.addForce(domaini, P, force->middleCols(column, 2));
+            energy += 0.5*size*H[i]*F[i];
         }
+        spread<nDims>(domains, domaini, size, F, copyi, force);
     }
     return energy;
+}
+
+
+//- Both
+template<int nDims>
+static scalar addEnergy
+(
+    const shapeTemplate& shape,
+    const Eigen::MatrixXd& positions,
+    const label copyi,
+    Eigen::MatrixXd* force
+)
+{
+    const auto x = positions.middleCols(nDims*copyi, nDims);
+    return
+        volumeEnergy<nDims>(shape.elementTerm(), x, copyi, force)
+      + shearEnergy<nDims>(shape, x, copyi, force);
 }
 
 } // End namespace fsi
@@ -92,9 +128,10 @@ Foam::scalar Foam::fsi::addElementEnergy
     Eigen::MatrixXd* force
 )
 {
-    const auto x = positions.middleCols(2*copyi, 2);
-    const scalar area = areaEnergy(shape.elementTerm(), x, 2*copyi, force);
-    return area + shearEnergy(shape, x, 2*copyi, force);
+    return
+        shape.nDims() == 2
+      ? addEnergy<2>(shape, positions, copyi, force)
+      : addEnergy<3>(shape, positions, copyi, force);
 }
 
 

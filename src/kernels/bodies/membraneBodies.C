@@ -128,15 +128,7 @@ void Foam::fsi::membraneBodies::readState(const dictionary& dict)
 Foam::fsi::membraneBodies::membraneBodies(const shapeTemplate& shape)
 :
     deformableBodies(shape)
-{
-    if (shape.nDims() != 2)
-    {
-        FatalErrorInFunction
-            << "Shape " << shape.name() << " is a membrane, but the mesh has"
-            << " three dimensions, where elastic and rigid bodies are known"
-            << " only" << exit(FatalError);
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

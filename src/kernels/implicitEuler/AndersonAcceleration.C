@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "secantAcceleration.H"
+#include "AndersonAcceleration.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<int lanes>
-void Foam::fsi::secantAcceleration::setProducts(const scalarField& f)
+void Foam::fsi::AndersonAcceleration::setProducts(const scalarField& f)
 {
     laneArray<lanes> sums[kept];
     const scalarField* r[kept];
@@ -32,7 +32,7 @@ void Foam::fsi::secantAcceleration::setProducts(const scalarField& f)
 }
 
 
-void Foam::fsi::secantAcceleration::coefficients
+void Foam::fsi::AndersonAcceleration::coefficients
 (
     const label lane,
     scalar& c1,
@@ -74,7 +74,7 @@ void Foam::fsi::secantAcceleration::coefficients
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::secantAcceleration::start(const label size)
+void Foam::fsi::AndersonAcceleration::start(const label size)
 {
     n_ = 0;
     size_ = size;
@@ -90,14 +90,14 @@ void Foam::fsi::secantAcceleration::start(const label size)
 }
 
 
-void Foam::fsi::secantAcceleration::keepResidual(const scalarField& r)
+void Foam::fsi::AndersonAcceleration::keepResidual(const scalarField& r)
 {
     std::copy_n(r.cbegin(), size_, residuals_[place(0)].begin());
 }
 
 
 template<int lanes>
-void Foam::fsi::secantAcceleration::step
+void Foam::fsi::AndersonAcceleration::step
 (
     const laneArray<lanes>& b,
     const scalarField& f,
@@ -133,13 +133,13 @@ namespace Foam
 {
 namespace fsi
 {
-    template void secantAcceleration::step<1>
+    template void AndersonAcceleration::step<1>
     (const laneArray<1>&, const scalarField&, scalarField&);
-    template void secantAcceleration::step<2>
+    template void AndersonAcceleration::step<2>
     (const laneArray<2>&, const scalarField&, scalarField&);
-    template void secantAcceleration::step<4>
+    template void AndersonAcceleration::step<4>
     (const laneArray<4>&, const scalarField&, scalarField&);
-    template void secantAcceleration::step<8>
+    template void AndersonAcceleration::step<8>
     (const laneArray<8>&, const scalarField&, scalarField&);
 }
 }
