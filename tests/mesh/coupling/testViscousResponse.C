@@ -2,6 +2,7 @@
 
 #include "viscousResponse.H"
 #include "../../unit/bodies/rigidSamples.H"
+#include "../../unit/massSpring/solidMeshes.H"
 
 #include <gtest/gtest.h>
 
@@ -232,6 +233,16 @@ TEST(viscousResponse, ofRigidBodiesIsThatOfADenseMatrix)
 TEST(viscousResponse, ofElasticBodiesIsThatOfADenseMatrix)
 {
     expectDense(*disc("density 1000; E 1e4;"), 3);
+}
+
+
+TEST(viscousResponse, ofSolidBodiesIsThatOfADenseMatrix)
+{
+    const shapeMesh mesh(solidSamples::unevenCube(3, 0.02));
+    expectDense
+    (
+        *rigidShape(mesh, 3, "type neoHookean; density 1000; E 1e4;"), 2
+    );
 }
 
 
