@@ -30,7 +30,6 @@ TO_BE_CUT = {
     "contact",
     "population",
     "shapeTemplate",
-    "viscousCoupling",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')

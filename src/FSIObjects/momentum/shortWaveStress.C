@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viscousCoupling.H"
+#include "shortWaveStress.H"
 #include "shortWaves.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -2,6 +2,8 @@
 
 #include "viscousCoupling.H"
 #include "dictionaryCheck.H"
+#include "linkForces.H"
+#include "shortWaveStress.H"
 #include "sumOverRanks.H"
 #include "solverPerformance.H"
 
