@@ -95,13 +95,8 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
 
 void Foam::fsi::seeding::checkArea(const dictionary& dict) const
 {
-    const scalar area = mag
-    (
-        outlineTools::area
-        (
-            shape::New(dict.subDict("shape"), domain_.nDims)->curve()
-        )
-    );
+    const scalar area =
+        shape::New(dict.subDict("shape"), domain_.nDims)->volume();
     const vector span = domain_.bounds.span();
     if (area > span.x()*span.y())
     {
