@@ -2,7 +2,7 @@
 
 #include "objectFeed.H"
 #include "dictionaryCheck.H"
-#include "randomInPlane.H"
+#include "rotations.H"
 #include "Switch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -12,14 +12,25 @@ namespace Foam
 namespace fsi
 {
 
+//- The entry of what the objects fill
+static word fractionKey(const direction nDims)
+{
+    return nDims == 2 ? "areaFraction" : "volumeFraction";
+}
+
+
 //- The dictionary, after its keys are checked
-static const dictionary& checkedFeed(const dictionary& dict)
+static const dictionary& checkedFeed
+(
+    const dictionary& dict,
+    const direction nDims
+)
 {
     checkKeys
     (
         dict,
         {
-            "shape", "rate", "areaFraction", "velocity", "angularVelocity",
+            "shape", "rate", fractionKey(nDims), "velocity", "angularVelocity",
             "velocityPerturbation", "randomRotation", "rotation",
             "minimumGap", "sideGap", "seed", "startTime", "maxAttempts"
         }
@@ -64,12 +75,13 @@ Foam::label Foam::fsi::objectFeed::readGroup(const dictionary& dict) const
 
 void Foam::fsi::objectFeed::check(const dictionary& dict) const
 {
-    if (dict.found("rate") == dict.found("areaFraction"))
+    const word fraction(fractionKey(shape_.nDims()));
+    if (dict.found("rate") == dict.found(fraction))
     {
         FatalIOErrorInFunction(dict)
             << "Dictionary " << dict.name()
-            << " needs either the entry 'rate' or the entry 'areaFraction'"
-            << exit(FatalIOError);
+            << " needs either the entry 'rate' or the entry '" << fraction
+            << '\'' << exit(FatalIOError);
     }
     if ((velocity_ & domainSides::outward(side_)) >= 0)
     {
@@ -86,14 +98,46 @@ void Foam::fsi::objectFeed::check(const dictionary& dict) const
             << exit(FatalIOError);
     }
 
-    const direction along = 1 - side_/2;
-    const scalar width = bounds_.span()[along];
-    scalar across = GREAT;
+    checkWidth(dict);
+}
+
+
+void Foam::fsi::objectFeed::checkWidth(const dictionary& dict) const
+{
+    // Rotations one degree apart in two dimensions, any in three
+    Random random(1);
+    scalar across = GREAT, least = GREAT, width = 0;
     for (label degrees = 0; degrees < 180; ++degrees)
     {
-        const tensor R(rotationAboutZ(randomRotation_ ? degrees : rotation_));
-        const boundBox box(shape_.moved(R, Zero).bounds());
-        across = min(across, box.span()[along]);
+        const tensor R
+        (
+            !randomRotation_ ? rotation_
+          : shape_.nDims() == 2 ? rotationAboutZ(degrees)
+          : randomRotation(random, 3)
+        );
+        const vector span(shape_.moved(R, Zero).bounds().span());
+        label worst = -1;
+        for (direction d = 0; d < 3; ++d)
+        {
+            if
+            (
+                along(d)
+             && (
+                    worst < 0
+                 || span[d] - bounds_.span()[d]
+                  > span[worst] - bounds_.span()[worst]
+                )
+            )
+            {
+                worst = d;
+            }
+        }
+        if (span[worst] - bounds_.span()[worst] < least)
+        {
+            across = span[worst];
+            width = bounds_.span()[worst];
+            least = across - width;
+        }
     }
     if (across > width - 2*sideGap_)
     {
@@ -119,15 +163,19 @@ bool Foam::fsi::objectFeed::due(const scalar time) const
     }
     // One object more would not exceed the target by more than half of it
     const scalar own = objects_.shape(group_).referenceVolume();
-    scalar area = 0.5*own;
+    scalar size = 0.5*own;
     forAll(objects_.groups(), groupi)
     {
-        area +=
+        size +=
             objects_.groups()[groupi].size()
            *objects_.shape(groupi).referenceVolume();
     }
-    const vector span(grid_.bounds().span());
-    return area <= areaFraction_*span.x()*span.y();
+    scalar domain = fraction_;
+    for (direction d = 0; d < shape_.nDims(); ++d)
+    {
+        domain *= grid_.bounds().span()[d];
+    }
+    return size <= domain;
 }
 
 
@@ -141,24 +189,32 @@ Foam::fsi::objectFeed::objectFeed
     const dictionary& dict
 )
 :
-    patch_(checkedFeed(dict).dictName()),
+    patch_(checkedFeed(dict, objects.nDims()).dictName()),
     grid_(grid),
     objects_(objects),
     side_(sides.findPatch(patch_)),
     bounds_(patchBounds(grid.mesh(), patch_)),
     group_(readGroup(dict)),
-    shape_(objects.shape(group_).points(), objects.shape(group_).faces()),
+    shape_
+    (
+        SubList<point>
+        (
+            objects.shape(group_).points(),
+            objects.shape(group_).nBoundaryNodes()
+        ),
+        objects.shape(group_).faces()
+    ),
     interval_(dict.found("rate") ? 1/readPositive(dict, "rate") : 0),
-    areaFraction_(readNonNegative(dict, "areaFraction", 0)),
+    fraction_(readNonNegative(dict, fractionKey(objects.nDims()), 0)),
     velocity_(dict.get<vector>("velocity")),
     angularVelocity_(dict.lookupOrDefault<vector>("angularVelocity", Zero)),
     velocityPerturbation_(readNonNegative(dict, "velocityPerturbation", 0)),
     randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", true)),
-    rotation_(dict.lookupOrDefault<scalar>("rotation", 0)),
+    rotation_(readRotation(dict, objects.nDims())),
     minimumGap_(readNonNegative(dict, "minimumGap", 3*grid.spacing())),
     sideGap_(readNonNegative(dict, "sideGap", minimumGap_)),
     seed_(dict.lookupOrDefault<label>("seed", 1)),
-    maxAttempts_(label(readPositive(dict, "maxAttempts", 100))),
+    maxAttempts_(readBetween(dict, "maxAttempts", 100, 1, 1000000)),
     nFed_(0),
     nDraws_(0),
     nextTime_(dict.lookupOrDefault<scalar>("startTime", 0)),

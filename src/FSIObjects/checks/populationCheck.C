@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "populationCheck.H"
+#include "closedSurface.H"
 #include "globalMeshData.H"
-#include "outline.H"
 #include "polygonPredicates.H"
 
 #include <cmath>
@@ -20,7 +20,7 @@ static pointField outlineOf(const surfaceSet& surfaces, const label objecti)
     const label start = surfaces.faceStart()[objecti];
     const labelList loop
     (
-        outline::loop
+        closedSurface::loop
         (
             SubList<surfaceFace>
             (

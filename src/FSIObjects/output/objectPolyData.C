@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectPolyData.H"
-#include "outline.H"
+#include "closedSurface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -98,7 +98,7 @@ Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
         if (planar)
         {
             const label start = surfaces.faceStart()[objecti];
-            data.cells[celli] = outline::loop
+            data.cells[celli] = closedSurface::loop
             (
                 SubList<surfaceFace>
                 (

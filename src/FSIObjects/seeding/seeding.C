@@ -10,7 +10,7 @@
 
 void Foam::fsi::seeding::addShapes(const dictionary& dict)
 {
-    List<outline> outlines;
+    List<closedSurface> surfaces;
     wordList names;
     DynamicList<bool> prescribed;
     for (const entry& e : dict)
@@ -25,10 +25,24 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         addShape(e.dict());
 
         const shapeTemplate& shape = objects_.groups().last().shape();
-        outlines.append(outline(shape.points(), shape.faces()));
+        surfaces.append
+        (
+            closedSurface
+            (
+                SubList<point>(shape.points(), shape.nBoundaryNodes()),
+                shape.faces()
+            )
+        );
         names.append(shape.name());
         prescribed.append(!objects_.groups().last().free());
-        checkThickness(e.dict(), outlines.last());
+        if (domain_.nDims == 2)
+        {
+            checkThickness(e.dict(), surfaces.last());
+        }
+        else if (!prescribed.last())
+        {
+            checkSize(e.dict(), surfaces.last().volume());
+        }
     }
     space_.reset
     (
@@ -37,7 +51,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
             domain_.bounds,
             domain_.spacing,
             names,
-            outlines,
+            surfaces,
             domain_.period,
             boolList(prescribed)
         )
@@ -56,7 +70,21 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
         }
     );
     checkSubDicts(dict, {"shape", "mesh", "material", "admm", "motion"});
-    checkArea(dict);
+    if (domain_.nDims == 2)
+    {
+        // Before it is meshed
+        checkSize
+        (
+            dict,
+            mag
+            (
+                outlineTools::area
+                (
+                    shape::New(dict.subDict("shape"), domain_.nDims)->curve()
+                )
+            )
+        );
+    }
     const scalar nodeSpacing =
         readPositive(dict, "nodeSpacing", domain_.spacing);
     if (nodeSpacing < 0.65*domain_.spacing)
@@ -93,23 +121,34 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
 }
 
 
-void Foam::fsi::seeding::checkArea(const dictionary& dict) const
+Foam::scalar Foam::fsi::seeding::domainSize() const
 {
-    const scalar area = mag
-    (
-        outlineTools::area
-        (
-            shape::New(dict.subDict("shape"), domain_.nDims)->curve()
-        )
-    );
     const vector span = domain_.bounds.span();
-    if (area > span.x()*span.y())
+    return domain_.nDims == 2 ? span.x()*span.y() : cmptProduct(span);
+}
+
+
+void Foam::fsi::seeding::checkSize
+(
+    const dictionary& dict,
+    const scalar size
+) const
+{
+    const char* unit = domain_.nDims == 2 ? " m2" : " m3";
+    if (size > domainSize())
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'shape' of dictionary " << dict.name()
-            << " describes an object of " << area
-            << " m2, which is more than that of the domain, "
-            << span.x()*span.y() << " m2" << exit(FatalIOError);
+            << " describes an object of " << size << unit
+            << ", which is more than that of the domain, " << domainSize()
+            << unit;
+        if (size > pow(100.0, domain_.nDims)*domainSize())
+        {
+            FatalIOError
+                << nl << "Lengths are in metres: is the shape in millimetres?"
+                << " Entry 'scale 1e-3' of a shape from a file mends that";
+        }
+        FatalIOError<< exit(FatalIOError);
     }
 }
 
@@ -117,7 +156,7 @@ void Foam::fsi::seeding::checkArea(const dictionary& dict) const
 void Foam::fsi::seeding::checkThickness
 (
     const dictionary& dict,
-    const outline& shape
+    const closedSurface& shape
 ) const
 {
     const scalar cells = readNonNegative(dict, "minimumCells", 3);
@@ -165,7 +204,7 @@ void Foam::fsi::seeding::checkContacts() const
         }
         const label found = space_->findConflict
         (
-            space_->objectOutline(i), domain_.contactRange, i
+            space_->surface(i), domain_.contactRange, i
         );
         if (found >= 0 && nTouching++ == 0)
         {
@@ -176,7 +215,7 @@ void Foam::fsi::seeding::checkContacts() const
     if (nTouching)
     {
         const scalar gap =
-            space_->distance(space_->objectOutline(first), other);
+            space_->distance(space_->surface(first), other);
         WarningInFunction
             << nTouching << " objects are nearer to another than the range of"
             << " contact, " << domain_.contactRange
@@ -222,12 +261,6 @@ Foam::fsi::seeding::seeding
     domain_(domain),
     objects_(time, domain.nDims, domain.bounds.centre().z())
 {
-    if (domain_.nDims != 2)
-    {
-        FatalErrorInFunction
-            << "Objects can be seeded in two dimensions only so far"
-            << exit(FatalError);
-    }
     checkKeys(dict, {"FoamFile", "shapes", "placements"});
     addShapes(dict.subDict("shapes"));
     place(dict.subDict("placements"));
@@ -240,27 +273,29 @@ Foam::fsi::seeding::seeding
 
 void Foam::fsi::seeding::report(Ostream& os) const
 {
-    const vector span = domain_.bounds.span();
-    const scalar domainArea = span.x()*span.y();
+    const bool plane = domain_.nDims == 2;
+    const char* size = plane ? "area " : "volume ";
+    const char* unit = plane ? " m2" : " m3";
+    const char* fraction = plane ? ", area fraction " : ", volume fraction ";
 
-    scalar sumArea = 0;
+    scalar sum = 0;
     forAll(objects_.groups(), groupi)
     {
         const bodyGroup& group = objects_.groups()[groupi];
         const shapeTemplate& shape = group.shape();
-        const scalar area = group.size()*shape.referenceVolume();
-        sumArea += area;
+        const scalar ofShape = group.size()*shape.referenceVolume();
+        sum += ofShape;
         os  << "    " << shape.name() << ": " << group.size() << " objects of "
             << shape.nNodes() << " nodes (" << shape.nBoundaryNodes()
-            << " on the boundary), area " << shape.referenceVolume()
-            << " m2, mass " << shape.mass() << " kg, "
+            << " on the boundary), " << size << shape.referenceVolume()
+            << unit << ", mass " << shape.mass() << " kg, "
             << (group.free() ? "free" : "prescribed motion")
-            << ", area fraction " << area/domainArea << nl;
+            << fraction << ofShape/domainSize() << nl;
     }
     os  << "    all: " << objects_.size() << " objects, "
         << objects_.nNodes() << " nodes, "
         << objects_.surfaces().points().size() << " on the boundary"
-        << ", area fraction " << sumArea/domainArea << endl;
+        << fraction << sum/domainSize() << endl;
 }
 
 

@@ -3,6 +3,7 @@
 #include "csvPlacement.H"
 #include "caseFile.H"
 #include "IFstream.H"
+#include "rotations.H"
 #include "stringOps.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -65,24 +66,77 @@ void Foam::fsi::csvPlacement::checkColumns
     const label line
 ) const
 {
-    const wordList known
+    wordList known
     ({
         "x", "y", "z", "rotation", "shape",
         "velocityX", "velocityY", "velocityZ", "angularVelocityZ"
     });
-    for (const word& column : columns)
+    if (nDims() == 3)
     {
-        if (!known.found(column))
+        known.append
+        (
+            wordList
+            ({
+                "axisX", "axisY", "axisZ", "angle",
+                "quaternionW", "quaternionX", "quaternionY", "quaternionZ",
+                "angularVelocityX", "angularVelocityY"
+            })
+        );
+    }
+    forAll(columns, i)
+    {
+        if (!known.found(columns[i]))
         {
             OStringStream os;
-            os  << "unknown column " << column.c_str()
+            os  << "unknown column " << columns[i].c_str()
                 << ", valid columns are " << flatOutput(known);
             refuse(line, os.str());
         }
+        if (columns.find(columns[i]) < i)
+        {
+            refuse(line, "column " + columns[i] + " is there twice");
+        }
     }
-    if (!columns.found("x") || !columns.found("y"))
+
+    const wordList sets[3] =
     {
-        refuse(line, "there must be columns x and y");
+        {"rotation"},
+        {"axisX", "axisY", "axisZ", "angle"},
+        {"quaternionW", "quaternionX", "quaternionY", "quaternionZ"}
+    };
+    label nRotations = 0;
+    for (const wordList& set : sets)
+    {
+        label nFound = 0;
+        for (const word& column : set)
+        {
+            nFound += columns.found(column);
+        }
+        if (nFound != 0 && nFound != set.size())
+        {
+            OStringStream os;
+            os  << "there must be all or none of the columns "
+                << flatOutput(set);
+            refuse(line, os.str());
+        }
+        nRotations += nFound != 0;
+    }
+    if (nRotations > 1)
+    {
+        refuse(line, "there is more than one kind of rotation");
+    }
+    if
+    (
+        !columns.found("x") || !columns.found("y")
+     || (nDims() == 3 && !columns.found("z"))
+    )
+    {
+        refuse
+        (
+            line,
+            string("there must be columns x and y")
+          + (nDims() == 3 ? " and z" : "")
+        );
     }
 }
 
@@ -101,6 +155,20 @@ Foam::scalar Foam::fsi::csvPlacement::number
         refuse(line, "not a number: " + text);
     }
     return value;
+}
+
+
+void Foam::fsi::csvPlacement::checkLength
+(
+    const scalar length,
+    const string& what,
+    const label line
+) const
+{
+    if (!(length > VSMALL && length < GREAT))
+    {
+        refuse(line, "the " + what + " must not be zero");
+    }
 }
 
 
@@ -127,22 +195,46 @@ Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
         const label i = columns.find(column);
         return i < 0 ? otherwise : number(values[i], line);
     };
+    const auto triple = [&](const word& name, const vector& otherwise)
+    {
+        return vector
+        (
+            value(name + 'X', otherwise.x()),
+            value(name + 'Y', otherwise.y()),
+            value(name + 'Z', otherwise.z())
+        );
+    };
     const label shapeColumn = columns.find("shape");
+    const auto rotation = [&]()
+    {
+        if (columns.found("axisX"))
+        {
+            const vector axis(triple("axis", Zero));
+            checkLength(mag(axis), "axis", line);
+            return rotationAbout(axis, value("angle", 0));
+        }
+        if (columns.found("quaternionW"))
+        {
+            const scalar w = value("quaternionW", 0);
+            const vector v(triple("quaternion", Zero));
+            checkLength(max(mag(w), mag(v)), "quaternion", line);
+            return rotationOf(w, v);
+        }
+        return rotationAboutZ(value("rotation", 0));
+    };
 
     return newObject
     (
         shapeColumn < 0
       ? readShape(dict(), space)
       : findShape(values[shapeColumn], space),
-        point(value("x", 0), value("y", 0), value("z", 0)),
-        rotation(value("rotation", 0)),
-        vector
+        checkedCentre
         (
-            value("velocityX", velocity().x()),
-            value("velocityY", velocity().y()),
-            value("velocityZ", velocity().z())
+            point(value("x", 0), value("y", 0), value("z", 0)), space
         ),
-        vector(0, 0, value("angularVelocityZ", angularVelocity().z()))
+        rotation(),
+        triple("velocity", velocity()),
+        triple("angularVelocity", angularVelocity())
     );
 }
 
@@ -153,10 +245,10 @@ Foam::fsi::csvPlacement::csvPlacement
 (
     const word& name,
     const dictionary& dict,
-    const packing&
+    const packing& space
 )
 :
-    placement(name, dict, {"file"}, 0, 0),
+    placement(name, dict, space, {"file"}, 0, 0),
     file_(readCaseFile(dict, "file"))
 {}
 

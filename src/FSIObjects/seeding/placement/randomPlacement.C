@@ -4,6 +4,7 @@
 #include "Switch.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "rotations.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -23,26 +24,29 @@ bool Foam::fsi::randomPlacement::findPlace
 (
     const packing& space,
     const boundBox& container,
-    placedObject& object
+    placedObject& object,
+    label& nConflicts
 )
 {
+    nConflicts = 0;
     const vector span = container.span();
     for (label i = 0; i < maxAttempts_; ++i)
     {
         object.centre = container.min();
-        object.centre.x() += span.x()*random().sample01<scalar>();
-        object.centre.y() += span.y()*random().sample01<scalar>();
-        object.rotation =
-            randomRotation_ ? randomRotation() : rotation(rotation_);
-
-        const outline candidate = space.placedOutline(object);
-        if
-        (
-            packing::inside(candidate, container, 0)
-         && space.findConflict(candidate, minimumGap()) < 0
-        )
+        for (direction d = 0; d < nDims(); ++d)
         {
-            return true;
+            object.centre[d] += span[d]*random().sample01<scalar>();
+        }
+        object.rotation = randomRotation_ ? randomRotation() : rotation_;
+
+        const closedSurface candidate = space.placed(object);
+        if (candidate.inside(container, 0))
+        {
+            if (space.findConflict(candidate, minimumGap()) < 0)
+            {
+                return true;
+            }
+            ++nConflicts;
         }
     }
     return false;
@@ -62,17 +66,18 @@ Foam::fsi::randomPlacement::randomPlacement
     (
         name,
         dict,
+        space,
         {
-            "region", "number", "areaFraction", "rotation", "randomRotation",
-            "maxAttempts"
+            "region", "number", fractionKey(space), "rotation",
+            "randomRotation", "maxAttempts"
         },
         3*space.spacing(),
         dict.lookupOrDefault<scalar>("minimumGap", 3*space.spacing())
     ),
     shape_(readShape(dict, space)),
     randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", true)),
-    rotation_(dict.lookupOrDefault<scalar>("rotation", 0)),
-    maxAttempts_(readAtLeast(dict, "maxAttempts", 10000, 1))
+    rotation_(readRotation(dict, nDims())),
+    maxAttempts_(readBetween(dict, "maxAttempts", 10000, 1, 10000000))
 {}
 
 
@@ -86,17 +91,30 @@ void Foam::fsi::randomPlacement::place(packing& space)
     for (label i = 0; i < number; ++i)
     {
         placedObject object = newObject(shape_, container.min(), tensor::I);
-        if (!findPlace(space, container, object))
+        label nConflicts = 0;
+        if (!findPlace(space, container, object, nConflicts))
         {
+            if (nConflicts == 0)
+            {
+                // None of the places was in the container
+                const closedSurface& s = space.shape(shape_);
+                checkFits
+                (
+                    randomRotation_ ? space.placed(object)
+                  : s.moved(rotation_, Zero),
+                    container
+                );
+            }
             FatalIOErrorInFunction(dict())
-                << "Entry '"
-                << (dict().found("number") ? "number" : "areaFraction")
-                << "' of placement " << name() << " asks for " << number
-                << " objects of shape " << space.shapeNames()[shape_]
+                << "Entry '" << numberKey() << "' of placement " << name()
+                << " asks for " << number << " objects of shape "
+                << space.shapeNames()[shape_]
                 << " but there is no room for more than " << i
-                << " found in " << maxAttempts_ << " attempts (maxAttempts)"
-                << nl << "Take fewer objects, a smaller minimumGap ("
-                << minimumGap() << " m), or type packed"
+                << " found in " << maxAttempts_ << " attempts (maxAttempts): "
+                << nConflicts << " were too near to other objects, "
+                << maxAttempts_ - nConflicts << " to the walls or the ends of"
+                << " the region" << nl << "Take fewer objects"
+                << advice().c_str() << ", or type packed"
                 << exit(FatalIOError);
         }
         space.insert(object);
