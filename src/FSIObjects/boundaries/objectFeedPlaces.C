@@ -116,7 +116,9 @@ void Foam::fsi::objectFeed::feed
 {
     const vector velocity
     (
-        velocity_ + velocityPerturbation_*mag(velocity_)*randomInBall(random, shape_.nDims())
+        velocity_
+      + velocityPerturbation_*mag(velocity_)
+       *randomInBall(random, shape_.nDims())
     );
     const label id =
         objects_.append(group_, centre, rotation, velocity, angularVelocity_);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "populationCheck.H"
-#include "closedSurface.H"
 #include "globalMeshData.H"
 #include "polygonPredicates.H"
 
@@ -13,26 +12,6 @@ namespace Foam
 {
 namespace fsi
 {
-
-//- Outline of an object, its nodes in order
-static pointField outlineOf(const surfaceSet& surfaces, const label objecti)
-{
-    const label start = surfaces.faceStart()[objecti];
-    const labelList loop
-    (
-        closedSurface::loop
-        (
-            SubList<surfaceFace>
-            (
-                surfaces.faces(),
-                surfaces.faceStart()[objecti + 1] - start,
-                start
-            )
-        )
-    );
-    return pointField(surfaces.points(), loop);
-}
-
 
 static bool isFinite(const pointField& points)
 {
@@ -217,7 +196,10 @@ void Foam::fsi::populationCheck::checkOutlines
     for (label objecti = 0; objecti < objects.size(); ++objecti)
     {
         const label id = objects.objectId(objecti);
-        const pointField polygon(outlineOf(objects.surfaces(), objecti));
+        const pointField polygon
+        (
+            objects.surfaces().points(), objects.surfaces().loop(objecti)
+        );
         if (!isFinite(polygon))
         {
             found.notFinite.append(id);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectPolyData.H"
-#include "closedSurface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -97,16 +96,7 @@ Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
         shapes[celli] = objects.objectGroup(objecti);
         if (planar)
         {
-            const label start = surfaces.faceStart()[objecti];
-            data.cells[celli] = closedSurface::loop
-            (
-                SubList<surfaceFace>
-                (
-                    surfaces.faces(),
-                    surfaces.faceStart()[objecti + 1] - start,
-                    start
-                )
-            );
+            data.cells[celli] = surfaces.loop(objecti);
         }
         else
         {

@@ -12,7 +12,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
 {
     List<closedSurface> surfaces;
     wordList names;
-    DynamicList<bool> prescribed;
+    boolList prescribed;
     for (const entry& e : dict)
     {
         if (!e.isDict())
@@ -53,7 +53,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
             names,
             surfaces,
             domain_.period,
-            boolList(prescribed)
+            prescribed
         )
     );
 }
@@ -137,18 +137,14 @@ void Foam::fsi::seeding::checkSize
     const char* unit = domain_.nDims == 2 ? " m2" : " m3";
     if (size > domainSize())
     {
+        const bool absurd = size > pow(100.0, domain_.nDims)*domainSize();
         FatalIOErrorInFunction(dict)
             << "Entry 'shape' of dictionary " << dict.name()
             << " describes an object of " << size << unit
             << ", which is more than that of the domain, " << domainSize()
-            << unit;
-        if (size > pow(100.0, domain_.nDims)*domainSize())
-        {
-            FatalIOError
-                << nl << "Lengths are in metres: is the shape in millimetres?"
-                << " Entry 'scale 1e-3' of a shape from a file mends that";
-        }
-        FatalIOError<< exit(FatalIOError);
+            << unit << (absurd ? ". Lengths are in metres: is it in millimetres"
+                " (entry 'scale 1e-3' of a shape from a file)?" : "")
+            << exit(FatalIOError);
     }
 }
 
@@ -277,7 +273,6 @@ void Foam::fsi::seeding::report(Ostream& os) const
     const char* size = plane ? "area " : "volume ";
     const char* unit = plane ? " m2" : " m3";
     const char* fraction = plane ? ", area fraction " : ", volume fraction ";
-
     scalar sum = 0;
     forAll(objects_.groups(), groupi)
     {

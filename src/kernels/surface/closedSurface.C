@@ -3,7 +3,6 @@
 #include "closedSurface.H"
 #include "DynamicList.H"
 #include "ListOps.H"
-#include "Map.H"
 #include "simplexDistance.H"
 #include "surfaceWinding.H"
 
@@ -64,33 +63,64 @@ Foam::boundBox Foam::fsi::closedSurface::faceBox(const label facei) const
 }
 
 
-Foam::labelList Foam::fsi::closedSurface::facesNear
+void Foam::fsi::closedSurface::keepNear
 (
-    const labelList& faces,
-    const boundBox& box,
+    labelList& faces,
+    boundBox& box,
     const scalar gap
 ) const
 {
-    DynamicList<label> found(faces.size());
+    boundBox found;
+    label n = 0;
     for (const label facei : faces)
     {
-        if (near(faceBox(facei), box, gap, nDims_))
+        const boundBox own(faceBox(facei));
+        if (near(own, box, gap, nDims_))
         {
-            found.append(facei);
+            faces[n++] = facei;
+            found.add(own);
         }
     }
-    return labelList(std::move(found));
+    faces.resize(n);
+    box = found;
 }
 
 
-Foam::boundBox Foam::fsi::closedSurface::boxOf(const labelList& faces) const
+Foam::scalar Foam::fsi::closedSurface::leastDistanceSqr
+(
+    const labelList& mine,
+    const closedSurface& other,
+    const labelList& others,
+    const scalar limit,
+    const bool any
+) const
 {
-    boundBox box;
-    for (const label facei : faces)
+    scalar least = limit, reach = sqrt(limit);
+    for (const label i : mine)
     {
-        box.add(faceBox(facei));
+        const boundBox box(faceBox(i));
+        for (const label j : others)
+        {
+            if (!near(box, other.faceBox(j), reach, nDims_))
+            {
+                continue;
+            }
+            const scalar d = simplexDistanceSqr
+            (
+                points_, (*faces_)[i], other.points_, (*other.faces_)[j]
+            );
+            if (d < least || d == 0)
+            {
+                least = d;
+                reach = sqrt(d);
+                if (any || d == 0)
+                {
+                    return least;
+                }
+            }
+        }
     }
-    return box;
+    return least;
 }
 
 
@@ -102,28 +132,6 @@ bool Foam::fsi::closedSurface::nested(const closedSurface& other) const
 
 // * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
 
-Foam::labelList Foam::fsi::closedSurface::loop
-(
-    const UList<surfaceFace>& segments
-)
-{
-    Map<label> next(2*segments.size());
-    for (const surfaceFace& segment : segments)
-    {
-        next.insert(segment[0], segment[1]);
-    }
-
-    labelList nodes(segments.size());
-    label nodei = segments.first()[0];
-    for (label& node : nodes)
-    {
-        node = nodei;
-        nodei = next[nodei];
-    }
-    return nodes;
-}
-
-
 bool Foam::fsi::closedSurface::near
 (
     const boundBox& a,
@@ -134,11 +142,7 @@ bool Foam::fsi::closedSurface::near
 {
     for (direction d = 0; d < nDims; ++d)
     {
-        if
-        (
-            a.min()[d] - b.max()[d] > gap
-         || b.min()[d] - a.max()[d] > gap
-        )
+        if (max(a.min()[d] - b.max()[d], b.min()[d] - a.max()[d]) > gap)
         {
             return false;
         }
@@ -259,30 +263,13 @@ bool Foam::fsi::closedSurface::closerThan
     // Only faces in the part that both share can be near
     labelList mine(identity(faces_->size()));
     labelList others(identity(other.faces_->size()));
-    mine = facesNear(mine, other.bounds_, gap);
-    others = other.facesNear(others, boxOf(mine), gap);
-    mine = facesNear(mine, other.boxOf(others), gap);
+    boundBox box(other.bounds_);
+    keepNear(mine, box, gap);
+    other.keepNear(others, box, gap);
+    keepNear(mine, box, gap);
 
-    const scalar gapSqr = sqr(gap);
-    for (const label i : mine)
-    {
-        const boundBox box(faceBox(i));
-        for (const label j : others)
-        {
-            if (near(box, other.faceBox(j), gap, nDims_))
-            {
-                const scalar d = simplexDistanceSqr
-                (
-                    points_, (*faces_)[i], other.points_, (*other.faces_)[j]
-                );
-                if (d < gapSqr || d == 0)
-                {
-                    return true;
-                }
-            }
-        }
-    }
-    return nested(other);
+    const scalar least = leastDistanceSqr(mine, other, others, sqr(gap), true);
+    return least < sqr(gap) || least == 0 || nested(other);
 }
 
 
@@ -295,29 +282,17 @@ Foam::scalar Foam::fsi::closedSurface::distance
     {
         return 0;
     }
-
-    scalar least = GREAT, leastSqr = GREAT;
-    forAll(*faces_, i)
-    {
-        const boundBox box(faceBox(i));
-        if (!near(box, other.bounds_, least, nDims_))
-        {
-            continue;
-        }
-        forAll(*other.faces_, j)
-        {
-            if (near(box, other.faceBox(j), least, nDims_))
-            {
-                const scalar d = simplexDistanceSqr
-                (
-                    points_, (*faces_)[i], other.points_, (*other.faces_)[j]
-                );
-                leastSqr = min(leastSqr, d);
-                least = sqrt(leastSqr);
-            }
-        }
-    }
-    return least;
+    return sqrt
+    (
+        leastDistanceSqr
+        (
+            identity(faces_->size()),
+            other,
+            identity(other.faces_->size()),
+            sqr(GREAT),
+            false
+        )
+    );
 }
 
 

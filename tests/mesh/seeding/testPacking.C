@@ -120,7 +120,10 @@ TEST(Outline, loopFollowsSegmentsInAnyOrder)
         fsi::surfaceFace({2, 4, -1}),
         fsi::surfaceFace({7, 2, -1})
     });
-    EXPECT_EQ(closedSurface::loop(segments), labelList({4, 7, 2}));
+    fsi::surfaceSet surfaces(2);
+    surfaces.append(pointField(3, Zero), List<fsi::surfaceFace>());
+    surfaces.append(pointField(8, Zero), segments);
+    EXPECT_EQ(surfaces.loop(1), labelList({7, 10, 5}));
 }
 
 

@@ -150,8 +150,8 @@ Foam::pointField Foam::fsi::packedLattice::sites
             const vector s(shift(j, k));
             for (label i = 0; (i + s.x())*p.x() <= room.x(); ++i)
             {
-                const vector site((i + s.x())*p.x(), (j + s.y())*p.y(), k*p.z());
-                found.append(start + site);
+                const vector place(i + s.x(), j + s.y(), k);
+                found.append(start + cmptMultiply(place, p));
                 if (plane)
                 {
                     found.last().z() = 0;

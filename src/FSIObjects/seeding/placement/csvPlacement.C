@@ -98,6 +98,29 @@ void Foam::fsi::csvPlacement::checkColumns
         }
     }
 
+    checkRotations(columns, line);
+    if
+    (
+        !columns.found("x") || !columns.found("y")
+     || (nDims() == 3 && !columns.found("z"))
+    )
+    {
+        refuse
+        (
+            line,
+            string("there must be columns x and y")
+          + (nDims() == 3 ? " and z" : "")
+        );
+    }
+}
+
+
+void Foam::fsi::csvPlacement::checkRotations
+(
+    const wordList& columns,
+    const label line
+) const
+{
     const wordList sets[3] =
     {
         {"rotation"},
@@ -125,19 +148,6 @@ void Foam::fsi::csvPlacement::checkColumns
     {
         refuse(line, "there is more than one kind of rotation");
     }
-    if
-    (
-        !columns.found("x") || !columns.found("y")
-     || (nDims() == 3 && !columns.found("z"))
-    )
-    {
-        refuse
-        (
-            line,
-            string("there must be columns x and y")
-          + (nDims() == 3 ? " and z" : "")
-        );
-    }
 }
 
 
@@ -158,20 +168,6 @@ Foam::scalar Foam::fsi::csvPlacement::number
 }
 
 
-void Foam::fsi::csvPlacement::checkLength
-(
-    const scalar length,
-    const string& what,
-    const label line
-) const
-{
-    if (!(length > VSMALL && length < GREAT))
-    {
-        refuse(line, "the " + what + " must not be zero");
-    }
-}
-
-
 Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
 (
     const packing& space,
@@ -182,12 +178,8 @@ Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
 {
     if (values.size() != columns.size())
     {
-        refuse
-        (
-            line,
-            Foam::name(values.size()) + " values for "
-          + Foam::name(columns.size()) + " columns"
-        );
+        const string n(Foam::name(columns.size()));
+        refuse(line, Foam::name(values.size()) + " values, not " + n);
     }
 
     const auto value = [&](const word& column, const scalar otherwise)
@@ -210,14 +202,20 @@ Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
         if (columns.found("axisX"))
         {
             const vector axis(triple("axis", Zero));
-            checkLength(mag(axis), "axis", line);
+            if (!(mag(axis) > VSMALL))
+            {
+                refuse(line, "the axis must not be zero");
+            }
             return rotationAbout(axis, value("angle", 0));
         }
         if (columns.found("quaternionW"))
         {
             const scalar w = value("quaternionW", 0);
             const vector v(triple("quaternion", Zero));
-            checkLength(max(mag(w), mag(v)), "quaternion", line);
+            if (!(max(mag(w), mag(v)) > VSMALL))
+            {
+                refuse(line, "the quaternion must not be zero");
+            }
             return rotationOf(w, v);
         }
         return rotationAboutZ(value("rotation", 0));

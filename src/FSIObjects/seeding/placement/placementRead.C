@@ -39,7 +39,8 @@ static const vector& checkedMotion
     const vector& outOfPlane
 )
 {
-    if (cmptMultiply(value, outOfPlane) != vector::zero || !(mag(value) < GREAT))
+    const bool planar = cmptMultiply(value, outOfPlane) == vector::zero;
+    if (!planar || !(mag(value) < GREAT))
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' in dictionary " << dict.name() << " is "
@@ -149,31 +150,26 @@ Foam::label Foam::fsi::placement::readNumber
     const label shapei
 ) const
 {
-    const word fractionKey(placement::fractionKey(space));
-    if (dict_.found("number") == dict_.found(fractionKey))
+    const word fraction(fractionKey(space));
+    if (dict_.found("number") == dict_.found(fraction))
     {
         FatalIOErrorInFunction(dict_)
             << "Placement " << name_
             << " needs either the entry 'number' or the entry '"
-            << fractionKey << '\'' << exit(FatalIOError);
+            << fraction << '\'' << exit(FatalIOError);
     }
 
     scalar number = 0;
     if (dict_.found("number"))
     {
-        number = dict_.get<label>("number");
-        if (number < 0)
-        {
-            FatalIOErrorInFunction(dict_)
-                << "Entry 'number' in placement " << name_ << " is " << number
-                << " but must be >= 0" << exit(FatalIOError);
-        }
+        number = readAtLeast(dict_, "number", 0, 0);
     }
     else
     {
         const scalar size = sizeOf(readRegion(space), nDims_);
-        const scalar fraction = readPositive(dict_, fractionKey);
-        number = fraction*size/space.shape(shapei).volume() + 0.5;
+        number =
+            readPositive(dict_, fraction)*size/space.shape(shapei).volume()
+          + 0.5;
     }
     checkRoom(space, shapei, number, readContainer(space), numberKey());
     return label(number);
