@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectFeed.H"
-#include "dictionaryCheck.H"
+#include "readBetween.H"
 #include "rotations.H"
 #include "Switch.H"
 

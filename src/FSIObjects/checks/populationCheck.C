@@ -2,7 +2,7 @@
 
 #include "populationCheck.H"
 #include "globalMeshData.H"
-#include "polygonPredicates.H"
+#include "surfacePredicates.H"
 
 #include <cmath>
 
@@ -13,16 +13,35 @@ namespace Foam
 namespace fsi
 {
 
-static bool isFinite(const pointField& points)
+static bool isFinite(const UList<point>& points)
 {
     for (const point& p : points)
     {
-        if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+        if
+        (
+            !std::isfinite(p.x()) || !std::isfinite(p.y())
+         || !std::isfinite(p.z())
+        )
         {
             return false;
         }
     }
     return true;
+}
+
+
+//- Edge length of the cells of a box [m]
+static scalar cellSize
+(
+    const boundBox& bounds,
+    const direction nDims,
+    const fvMesh& mesh
+)
+{
+    const vector span(bounds.span());
+    const label n = mesh.globalData().nTotalCells();
+    return
+        nDims == 2 ? sqrt(span.x()*span.y()/n) : cbrt(cmptProduct(span)/n);
 }
 
 
@@ -70,14 +89,20 @@ void Foam::fsi::populationCheck::result::write(Ostream& os) const
         << crossing.size() << " crossing themselves, "
         << outside.size() << " outside, "
         << left << " left, " << nLost() << " lost, "
-        << twice.size() << " double, area change " << areaChange << nl;
+        << twice.size() << " double, "
+        << (nDims == 2 ? "area" : "volume") << " change " << areaChange << nl;
 
     writeFault(os, "Objects overlap", overlapping);
-    writeFault(os, "Outlines cross themselves", crossing);
+    writeFault
+    (
+        os,
+        nDims == 2 ? "Outlines cross themselves" : "Surfaces cut themselves",
+        crossing
+    );
     writeFault(os, "Coordinates are not numbers", notFinite);
     writeFault(os, "Objects are outside the domain", outside);
     writeFault(os, "Ids are there twice", twice);
-    writeFault(os, "Areas are off", areaOff);
+    writeFault(os, nDims == 2 ? "Areas are off" : "Volumes are off", areaOff);
     if (nLost() != 0)
     {
         os  << "    Objects are lost: " << left << " left, missing are "
@@ -96,14 +121,8 @@ Foam::fsi::populationCheck::populationCheck
 )
 :
     sides_(mesh),
-    spacing_
-    (
-        sqrt
-        (
-            sides_.bounds().span().x()*sides_.bounds().span().y()
-           /mesh.globalData().nTotalCells()
-        )
-    ),
+    nDims_(direction(mesh.nSolutionD())),
+    spacing_(cellSize(sides_.bounds(), nDims_, mesh)),
     areaTolerance_(areaTolerance)
 {}
 
@@ -162,7 +181,7 @@ void Foam::fsi::populationCheck::checkAreas
 bool Foam::fsi::populationCheck::isOutside(const boundBox& box) const
 {
     const boundBox& domain = sides_.bounds();
-    for (label sidei = 0; sidei < 4; ++sidei)
+    for (label sidei = 0; sidei < 2*nDims_; ++sidei)
     {
         const direction d = sidei/2;
         const bool beyondWall =
@@ -185,46 +204,48 @@ bool Foam::fsi::populationCheck::isOutside(const boundBox& box) const
 }
 
 
-void Foam::fsi::populationCheck::checkOutlines
+void Foam::fsi::populationCheck::checkSurfaces
 (
     const population& objects,
     result& found
 ) const
 {
-    DynamicList<pointField> outlines(objects.size());
-    DynamicList<label> ids(objects.size());
+    const surfaceSet& surfaces = objects.surfaces();
+    const labelList& start = surfaces.pointStart();
+    DynamicList<label> simple(objects.size());
     for (label objecti = 0; objecti < objects.size(); ++objecti)
     {
         const label id = objects.objectId(objecti);
-        const pointField polygon
+        const SubList<point> points
         (
-            objects.surfaces().points(), objects.surfaces().loop(objecti)
+            surfaces.points(), start[objecti + 1] - start[objecti],
+            start[objecti]
         );
-        if (!isFinite(polygon))
+        if (!isFinite(points))
         {
             found.notFinite.append(id);
             continue;
         }
-        const bool isFree =
-            objects.groups()[objects.objectGroup(objecti)].free();
-        if (isFree && isOutside(boundBox(polygon, false)))
+        if (objects.free(objecti) && isOutside(surfaces.bounds(objecti)))
         {
             found.outside.append(id);
         }
-        if (!polygonPredicates::isSimple(polygon))
+        if (surfacePredicates::cutsItself(surfaces, objecti))
         {
             found.crossing.append(id);
             continue;
         }
-        outlines.append(polygon);
-        ids.append(id);
+        simple.append(objecti);
     }
 
     found.overlapping =
-        polygonPredicates::overlapping(outlines, sides_.period());
+        surfacePredicates::overlapping(surfaces, simple, sides_.period());
     for (labelPair& pair : found.overlapping)
     {
-        pair = labelPair(ids[pair.first()], ids[pair.second()]);
+        pair = labelPair
+        (
+            objects.objectId(pair.first()), objects.objectId(pair.second())
+        );
     }
 }
 
@@ -238,18 +259,20 @@ Foam::fsi::populationCheck::check
     const label nLeft
 ) const
 {
-    if (objects.nDims() != 2)
+    if (objects.nDims() != nDims_)
     {
         FatalErrorInFunction
-            << "Objects are checked in two dimensions only"
+            << "The objects have " << label(objects.nDims())
+            << " dimensions, the mesh " << label(nDims_)
             << exit(FatalError);
     }
     result found;
+    found.nDims = nDims_;
     found.objects = objects.size();
     found.left = nLeft;
     checkIds(objects, found);
     checkAreas(objects, found);
-    checkOutlines(objects, found);
+    checkSurfaces(objects, found);
     return found;
 }
 

@@ -26,6 +26,31 @@ static scalar maxSpeed(const bodyGroup& group, const direction nDims)
     return sqrt(largest);
 }
 
+
+//- Mean velocity of cells of positive signed distance, of all ranks [m/s]
+static vector meanFluidVelocity
+(
+    const volVectorField& U,
+    const levelSetUpdate& levelSet,
+    const labelList& halo
+)
+{
+    const scalarField& V = U.mesh().V();
+    scalar volume = 0;
+    vector sum(Zero);
+    forAll(halo, celli)
+    {
+        if (levelSet.cellDistance()[halo[celli]] > 0)
+        {
+            volume += V[celli];
+            sum += V[celli]*U[celli];
+        }
+    }
+    reduce(sum, sumOp<vector>());
+    reduce(volume, sumOp<scalar>());
+    return sum/max(volume, VSMALL);
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -43,6 +68,7 @@ void Foam::fsi::fsiObjects::report()
     record.objects = objects.size();
     record.removed = boundaries_.nRemoved();
     record.fed = boundaries_.nFed();
+    scalar volume = 0;
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
@@ -52,13 +78,23 @@ void Foam::fsi::fsiObjects::report()
         record.elasticEnergy += group.elasticEnergy();
         for (label copyi = 0; copyi < group.size(); ++copyi)
         {
+            const scalar V = group.volume(copyi);
+            volume += V;
+            record.objectVelocity += V*group.velocity(copyi);
             record.areaChange = max
             (
                 record.areaChange,
-                mag(group.volume(copyi)/group.shape().referenceVolume() - 1)
+                mag(V/group.shape().referenceVolume() - 1)
             );
         }
     }
+    record.objectVelocity /= max(volume, VSMALL);
+    record.fluidVelocity = meanFluidVelocity
+    (
+        mesh_.lookupObject<volVectorField>("U"),
+        *system_.levelSet,
+        system_.grid.haloIndex()
+    );
     const contactStatistics& contacts = system_.contacts->statistics();
     record.contacts = contacts.contacts;
     record.smallestGap = contacts.smallestGap;
@@ -79,11 +115,14 @@ void Foam::fsi::fsiObjects::report()
 void Foam::fsi::fsiObjects::writeRows()
 {
     List<objectRecord> records(objectRecord::sample(system_.objects));
-    const labelList& pointObject = system_.objects.surfaces().pointObject();
+    const surfaceSet& surfaces = system_.objects.surfaces();
+    const labelList& pointObject = surfaces.pointObject();
     forAll(pointObject, nodei)
     {
-        records[pointObject[nodei]].force +=
-            coupling_->hydrodynamicForce()[nodei];
+        objectRecord& r = records[pointObject[nodei]];
+        const vector& force = coupling_->hydrodynamicForce()[nodei];
+        r.force += force;
+        r.torque += (surfaces.points()[nodei] - r.centroid) ^ force;
     }
     const contactStatistics& contacts = system_.contacts->statistics();
     forAll(contacts.objectContacts, objecti)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectPolyData.H"
+#include "outlineLoop.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -96,7 +97,7 @@ Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
         shapes[celli] = objects.objectGroup(objecti);
         if (planar)
         {
-            data.cells[celli] = surfaces.loop(objecti);
+            data.cells[celli] = outlineLoop(surfaces, objecti);
         }
         else
         {

@@ -13,7 +13,9 @@ Foam::wordList Foam::fsi::stepRecord::columns()
         "kineticEnergy", "elasticEnergy", "contactEnergy", "areaChange",
         "misfit", "rebuilds", "fluidSeconds", "pressureSeconds",
         "levelSetSeconds", "solidsSeconds", "contactSeconds", "couplingSeconds",
-        "removed", "fed", "maxSpeed"
+        "removed", "fed", "maxSpeed",
+        "fluidVelocityX", "fluidVelocityY", "fluidVelocityZ",
+        "objectVelocityX", "objectVelocityY", "objectVelocityZ"
     });
 }
 
@@ -28,7 +30,7 @@ void Foam::fsi::stepRecord::write(csvTable& table) const
     {
         row << s;
     }
-    row << removed << fed << maxSpeed;
+    row << removed << fed << maxSpeed << fluidVelocity << objectVelocity;
 }
 
 

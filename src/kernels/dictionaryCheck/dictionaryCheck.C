@@ -119,26 +119,6 @@ Foam::label Foam::fsi::readAtLeast
 }
 
 
-Foam::label Foam::fsi::readBetween
-(
-    const dictionary& dict,
-    const word& key,
-    const label defaultValue,
-    const label minimum,
-    const label maximum
-)
-{
-    const label value = readAtLeast(dict, key, defaultValue, minimum);
-    if (value > maximum)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' in dictionary " << dict.name() << " is "
-            << value << " but must be <= " << maximum << exit(FatalIOError);
-    }
-    return value;
-}
-
-
 Foam::word Foam::fsi::readChoice
 (
     const dictionary& dict,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surfaceSet.H"
-#include "Map.H"
 #include "triangleProjection.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -134,26 +133,6 @@ Foam::point Foam::fsi::surfaceSet::nearestOnTriangle
     const triangleProjection face(points_[f[0]], points_[f[1]], points_[f[2]]);
     weights = face.weights(p);
     return interpolate(points_, facei, weights);
-}
-
-
-Foam::labelList Foam::fsi::surfaceSet::loop(const label objecti) const
-{
-    const label start = faceStart_[objecti];
-    labelList nodes(faceStart_[objecti + 1] - start);
-    Map<label> next(2*nodes.size());
-    forAll(nodes, i)
-    {
-        next.insert(faces_[start + i][0], faces_[start + i][1]);
-    }
-
-    label nodei = faces_[start][0];
-    for (label& node : nodes)
-    {
-        node = nodei;
-        nodei = next[nodei];
-    }
-    return nodes;
 }
 
 

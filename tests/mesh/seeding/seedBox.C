@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <gtest/gtest.h>
+
 #include "seedBox.H"
 #include "../population/someObjects.H"
 #include "../../unit/levelSet/testSurfaces.H"
@@ -97,6 +99,19 @@ void seedBox::place(packing& space, const std::string& text)
     dictionary dict(someObjects::dict(text));
     dict.name() = "seedObjectsDict.placements.a";
     fsi::placement::New("a", dict, space)->place(space);
+}
+
+
+void seedBox::expectPieces
+(
+    const std::string& text,
+    const std::vector<std::string>& pieces
+)
+{
+    for (const std::string& piece : pieces)
+    {
+        EXPECT_NE(text.find(piece), std::string::npos) << piece << ": " << text;
+    }
 }
 
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "seedBox.H"
+#include "outlineLoop.H"
 #include "Random.H"
 
 using namespace Foam;
@@ -123,7 +124,7 @@ TEST(Outline, loopFollowsSegmentsInAnyOrder)
     fsi::surfaceSet surfaces(2);
     surfaces.append(pointField(3, Zero), List<fsi::surfaceFace>());
     surfaces.append(pointField(8, Zero), segments);
-    EXPECT_EQ(surfaces.loop(1), labelList({7, 10, 5}));
+    EXPECT_EQ(fsi::outlineLoop(surfaces, 1), labelList({7, 10, 5}));
 }
 
 

@@ -2,8 +2,8 @@
 
 #include "packedPlacement.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
 #include "packedLattice.H"
+#include "readBetween.H"
 #include "rotations.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //

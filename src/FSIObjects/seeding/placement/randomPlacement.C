@@ -3,7 +3,7 @@
 #include "randomPlacement.H"
 #include "Switch.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
+#include "readBetween.H"
 #include "rotations.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
