@@ -79,9 +79,8 @@ void Foam::fsi::objectFeed::check(const dictionary& dict) const
     if (dict.found("rate") == dict.found(fraction))
     {
         FatalIOErrorInFunction(dict)
-            << "Dictionary " << dict.name()
-            << " needs either the entry 'rate' or the entry '" << fraction
-            << '\'' << exit(FatalIOError);
+            << "Dictionary " << dict.name() << " needs either the entry 'rate'"
+            << " or the entry '" << fraction << '\'' << exit(FatalIOError);
     }
     if ((velocity_ & domainSides::outward(side_)) >= 0)
     {
@@ -104,9 +103,10 @@ void Foam::fsi::objectFeed::check(const dictionary& dict) const
 
 void Foam::fsi::objectFeed::checkWidth(const dictionary& dict) const
 {
-    // Rotations one degree apart in two dimensions, any in three
+    // How much wider than the patch in the best of rotations, in two
+    // dimensions one degree apart
     Random random(1);
-    scalar across = GREAT, least = GREAT, width = 0;
+    scalar least = GREAT;
     for (label degrees = 0; degrees < 180; ++degrees)
     {
         const tensor R
@@ -115,38 +115,25 @@ void Foam::fsi::objectFeed::checkWidth(const dictionary& dict) const
           : shape_.nDims() == 2 ? rotationAboutZ(degrees)
           : randomRotation(random, 3)
         );
-        const vector span(shape_.moved(R, Zero).bounds().span());
-        label worst = -1;
+        const vector more
+        (
+            shape_.moved(R, Zero).bounds().span() - bounds_.span()
+        );
+        scalar largest = -GREAT;
         for (direction d = 0; d < 3; ++d)
         {
-            if
-            (
-                along(d)
-             && (
-                    worst < 0
-                 || span[d] - bounds_.span()[d]
-                  > span[worst] - bounds_.span()[worst]
-                )
-            )
-            {
-                worst = d;
-            }
+            largest = along(d) ? max(largest, more[d]) : largest;
         }
-        if (span[worst] - bounds_.span()[worst] < least)
-        {
-            across = span[worst];
-            width = bounds_.span()[worst];
-            least = across - width;
-        }
+        least = min(least, largest);
     }
-    if (across > width - 2*sideGap_)
+    if (least > -2*sideGap_)
     {
         FatalIOErrorInFunction(dict)
             << "An object of shape " << objects_.shape(group_).name()
-            << ", at least " << across << " m across, never fits through patch "
-            << patch_ << ", " << width << " m, with the entry 'sideGap' "
-            << sideGap_ << " m on either side"
-            << exit(FatalIOError);
+            << " never fits through patch " << patch_ << ", "
+            << bounds_.span() << " m: with the entry 'sideGap' " << sideGap_
+            << " m on either side it is too wide by " << least + 2*sideGap_
+            << " m" << exit(FatalIOError);
     }
 }
 

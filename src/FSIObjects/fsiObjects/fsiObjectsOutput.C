@@ -10,23 +10,6 @@ namespace Foam
 namespace fsi
 {
 
-//- Largest speed of a node of a group [m/s]
-static scalar maxSpeed(const bodyGroup& group, const direction nDims)
-{
-    const Eigen::MatrixXd& v = group.velocities();
-    scalar largest = 0;
-    for (label copyi = 0; copyi < group.size(); ++copyi)
-    {
-        largest = max
-        (
-            largest,
-            v.middleCols(nDims*copyi, nDims).rowwise().squaredNorm().maxCoeff()
-        );
-    }
-    return sqrt(largest);
-}
-
-
 //- Mean velocity of cells of positive signed distance, of all ranks [m/s]
 static vector meanFluidVelocity
 (
@@ -62,33 +45,11 @@ void Foam::fsi::fsiObjects::report()
     const population& objects = system_.objects;
     const Time& time = mesh_.time();
 
-    stepRecord record;
+    stepRecord record(stepRecord::sample(objects));
     record.time = time.value();
     record.deltaT = time.deltaTValue();
-    record.objects = objects.size();
     record.removed = boundaries_.nRemoved();
     record.fed = boundaries_.nFed();
-    scalar volume = 0;
-    forAll(objects.groups(), groupi)
-    {
-        const bodyGroup& group = objects.groups()[groupi];
-        record.maxSpeed =
-            max(record.maxSpeed, maxSpeed(group, objects.nDims()));
-        record.kineticEnergy += group.kineticEnergy();
-        record.elasticEnergy += group.elasticEnergy();
-        for (label copyi = 0; copyi < group.size(); ++copyi)
-        {
-            const scalar V = group.volume(copyi);
-            volume += V;
-            record.objectVelocity += V*group.velocity(copyi);
-            record.areaChange = max
-            (
-                record.areaChange,
-                mag(V/group.shape().referenceVolume() - 1)
-            );
-        }
-    }
-    record.objectVelocity /= max(volume, VSMALL);
     record.fluidVelocity = meanFluidVelocity
     (
         mesh_.lookupObject<volVectorField>("U"),

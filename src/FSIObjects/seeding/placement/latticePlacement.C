@@ -22,7 +22,7 @@ namespace fsi
 
 void Foam::fsi::latticePlacement::readLattice(const packing& space)
 {
-    const vector span = region_.span();
+    const vector span = region().span();
     if (dict().found("counts") == dict().found("spacing"))
     {
         FatalIOErrorInFunction(dict())
@@ -87,7 +87,7 @@ void Foam::fsi::latticePlacement::checkNumber
 ) const
 {
     // Centres are in the region, objects may reach out of it
-    const scalar reach = space.shape(shape_).bounds().mag() + jitter_;
+    const scalar reach = space.shape(shape()).bounds().mag() + jitter_;
     const vector margin(reach, reach, reach);
     scalar number = 1;
     for (direction d = 0; d < nDims(); ++d)
@@ -95,14 +95,13 @@ void Foam::fsi::latticePlacement::checkNumber
         number *=
             given
           ? scalar(counts_[d])
-          : max(std::floor(region_.span()[d]/spacing_[d]), scalar(1));
+          : max(std::floor(region().span()[d]/spacing_[d]), scalar(1));
     }
     checkRoom
     (
         space,
-        shape_,
         number,
-        boundBox(region_.min() - margin, region_.max() + margin),
+        boundBox(region().min() - margin, region().max() + margin),
         given ? "counts" : "spacing"
     );
 }
@@ -117,20 +116,18 @@ Foam::fsi::latticePlacement::latticePlacement
     const packing& space
 )
 :
-    placement
+    regionPlacement
     (
         name,
         dict,
         space,
         {
-            "region", "counts", "spacing", "arrangement", "rotation",
+            "counts", "spacing", "arrangement", "rotation",
             "randomRotation", "jitter"
         },
         0,
         0
     ),
-    shape_(readShape(dict, space)),
-    region_(readRegion(space)),
     spacing_(Zero),
     counts_(1, 1, 1),
     staggered_
@@ -152,7 +149,7 @@ Foam::fsi::latticePlacement::latticePlacement
 
 void Foam::fsi::latticePlacement::place(packing& space)
 {
-    const point middle = region_.centre();
+    const point middle = region().centre();
 
     DynamicList<placedObject> objects(cmptProduct(counts_));
     labelVector i;
@@ -178,7 +175,7 @@ void Foam::fsi::latticePlacement::place(packing& space)
                 (
                     newObject
                     (
-                        shape_,
+                        shape(),
                         centre,
                         randomRotation_ ? randomRotation() : rotation_
                     )

@@ -26,7 +26,7 @@ Foam::pointField Foam::fsi::packedPlacement::bestSites
     const boundBox& container
 ) const
 {
-    const closedSurface object = space.shape(shape_).moved(rotation_, Zero);
+    const closedSurface object = space.shape(shape()).moved(rotation(), Zero);
     checkFits(object, container);
 
     pointField best;
@@ -98,7 +98,7 @@ void Foam::fsi::packedPlacement::shake
 )
 {
     const label n = space.size() - first;
-    scalar step = mag(space.shape(shape_).bounds().span());
+    scalar step = mag(space.shape(shape()).bounds().span());
     scalar angle = 90;
     const scalar largestStep = mag(container.span());
 
@@ -135,17 +135,7 @@ Foam::fsi::packedPlacement::packedPlacement
     const packing& space
 )
 :
-    placement
-    (
-        name,
-        dict,
-        space,
-        {"region", "number", fractionKey(space), "rotation", "sweeps"},
-        3*space.spacing(),
-        dict.lookupOrDefault<scalar>("minimumGap", 3*space.spacing())
-    ),
-    shape_(readShape(dict, space)),
-    rotation_(readRotation(dict, nDims())),
+    soughtPlacement(name, dict, space, {"sweeps"}),
     sweeps_(readBetween(dict, "sweeps", 500, 0, 1000000))
 {}
 
@@ -155,7 +145,7 @@ Foam::fsi::packedPlacement::packedPlacement
 void Foam::fsi::packedPlacement::place(packing& space)
 {
     const boundBox container(readContainer(space));
-    const label number = readNumber(space, shape_);
+    const label number = readNumber(space);
     if (number == 0)
     {
         return;
@@ -164,19 +154,14 @@ void Foam::fsi::packedPlacement::place(packing& space)
     pointField centres = bestSites(space, container);
     if (centres.size() < number)
     {
-        FatalIOErrorInFunction(dict())
-            << "Entry '" << numberKey() << "' of placement " << name()
-            << " asks for " << number << " objects of shape "
-            << space.shapeNames()[shape_]
-            << " but there is no room for more than " << centres.size() << nl
-            << "Take fewer objects" << advice().c_str() << exit(FatalIOError);
+        lackRoom(space, number, centres.size(), "");
     }
     thin(centres, number);
 
     const label first = space.size();
     for (const point& centre : centres)
     {
-        space.insert(newObject(shape_, centre, rotation_));
+        space.insert(newObject(shape(), centre, rotation()));
     }
     shake(space, container, first);
 }

@@ -4,7 +4,6 @@
 #include "Switch.H"
 #include "addToRunTimeSelectionTable.H"
 #include "readBetween.H"
-#include "rotations.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -37,7 +36,7 @@ bool Foam::fsi::randomPlacement::findPlace
         {
             object.centre[d] += span[d]*random().sample01<scalar>();
         }
-        object.rotation = randomRotation_ ? randomRotation() : rotation_;
+        object.rotation = randomRotation_ ? randomRotation() : rotation();
 
         const closedSurface candidate = space.placed(object);
         if (candidate.inside(container, 0))
@@ -62,21 +61,8 @@ Foam::fsi::randomPlacement::randomPlacement
     const packing& space
 )
 :
-    placement
-    (
-        name,
-        dict,
-        space,
-        {
-            "region", "number", fractionKey(space), "rotation",
-            "randomRotation", "maxAttempts"
-        },
-        3*space.spacing(),
-        dict.lookupOrDefault<scalar>("minimumGap", 3*space.spacing())
-    ),
-    shape_(readShape(dict, space)),
+    soughtPlacement(name, dict, space, {"randomRotation", "maxAttempts"}),
     randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", true)),
-    rotation_(readRotation(dict, nDims())),
     maxAttempts_(readBetween(dict, "maxAttempts", 10000, 1, 10000000))
 {}
 
@@ -86,36 +72,25 @@ Foam::fsi::randomPlacement::randomPlacement
 void Foam::fsi::randomPlacement::place(packing& space)
 {
     const boundBox container(readContainer(space));
-    const label number = readNumber(space, shape_);
+    const label number = readNumber(space);
 
     for (label i = 0; i < number; ++i)
     {
-        placedObject object = newObject(shape_, container.min(), tensor::I);
+        placedObject object = newObject(shape(), container.min(), tensor::I);
         label nConflicts = 0;
         if (!findPlace(space, container, object, nConflicts))
         {
             if (nConflicts == 0)
             {
                 // None of the places was in the container
-                const closedSurface& s = space.shape(shape_);
-                checkFits
-                (
-                    randomRotation_ ? space.placed(object)
-                  : s.moved(rotation_, Zero),
-                    container
-                );
+                checkFits(space.placed(object), container);
             }
-            FatalIOErrorInFunction(dict())
-                << "Entry '" << numberKey() << "' of placement " << name()
-                << " asks for " << number << " objects of shape "
-                << space.shapeNames()[shape_]
-                << " but there is no room for more than " << i
-                << " found in " << maxAttempts_ << " attempts (maxAttempts): "
+            OStringStream os;
+            os  << " found in " << maxAttempts_ << " attempts (maxAttempts): "
                 << nConflicts << " were too near to other objects, "
                 << maxAttempts_ - nConflicts << " to the walls or the ends of"
-                << " the region" << nl << "Take fewer objects"
-                << advice().c_str() << ", or type packed"
-                << exit(FatalIOError);
+                << " the region";
+            lackRoom(space, number, i, os.str());
         }
         space.insert(object);
     }
