@@ -2,9 +2,8 @@
 
 #include "seeding.H"
 #include "dictionaryCheck.H"
-#include "outlineTools.H"
 #include "placement.H"
-#include "shape.H"
+#include "shapeCheck.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -35,14 +34,6 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         );
         names.append(shape.name());
         prescribed.append(!objects_.groups().last().free());
-        if (domain_.nDims == 2)
-        {
-            checkThickness(e.dict(), surfaces.last());
-        }
-        else if (!prescribed.last())
-        {
-            checkSize(e.dict(), surfaces.last().volume());
-        }
     }
     space_.reset
     (
@@ -70,21 +61,7 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
         }
     );
     checkSubDicts(dict, {"shape", "mesh", "material", "admm", "motion"});
-    if (domain_.nDims == 2)
-    {
-        // Before it is meshed
-        checkSize
-        (
-            dict,
-            mag
-            (
-                outlineTools::area
-                (
-                    shape::New(dict.subDict("shape"), domain_.nDims)->curve()
-                )
-            )
-        );
-    }
+    checkShape(dict, domain_);
     const scalar nodeSpacing =
         readPositive(dict, "nodeSpacing", domain_.spacing);
     if (nodeSpacing < 0.65*domain_.spacing)
@@ -118,57 +95,6 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
         ),
         dict.subOrEmptyDict("motion")
     );
-}
-
-
-Foam::scalar Foam::fsi::seeding::domainSize() const
-{
-    const vector span = domain_.bounds.span();
-    return domain_.nDims == 2 ? span.x()*span.y() : cmptProduct(span);
-}
-
-
-void Foam::fsi::seeding::checkSize
-(
-    const dictionary& dict,
-    const scalar size
-) const
-{
-    const char* unit = domain_.nDims == 2 ? " m2" : " m3";
-    if (size > domainSize())
-    {
-        const bool absurd = size > pow(100.0, domain_.nDims)*domainSize();
-        FatalIOErrorInFunction(dict)
-            << "Entry 'shape' of dictionary " << dict.name()
-            << " describes an object of " << size << unit
-            << ", which is more than that of the domain, " << domainSize()
-            << unit << (absurd ? ". Lengths are in metres: is it in millimetres"
-                " (entry 'scale 1e-3' of a shape from a file)?" : "")
-            << exit(FatalIOError);
-    }
-}
-
-
-void Foam::fsi::seeding::checkThickness
-(
-    const dictionary& dict,
-    const closedSurface& shape
-) const
-{
-    const scalar cells = readNonNegative(dict, "minimumCells", 3);
-    const scalar least = cells*domain_.spacing;
-    const scalar thickness = outlineTools::minimumThickness(shape.points());
-    if (thickness < least)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'shape' of dictionary " << dict.name()
-            << " describes an object that is " << thickness
-            << " m thick at its thinnest, which is less than " << cells
-            << " cells, " << least << " m (entry 'minimumCells')" << nl
-            << "Take a finer mesh or a larger shape; a smaller minimumCells"
-            << " is at your own risk"
-            << exit(FatalIOError);
-    }
 }
 
 
@@ -285,12 +211,12 @@ void Foam::fsi::seeding::report(Ostream& os) const
             << " on the boundary), " << size << shape.referenceVolume()
             << unit << ", mass " << shape.mass() << " kg, "
             << (group.free() ? "free" : "prescribed motion")
-            << fraction << ofShape/domainSize() << nl;
+            << fraction << ofShape/domain_.size() << nl;
     }
     os  << "    all: " << objects_.size() << " objects, "
         << objects_.nNodes() << " nodes, "
         << objects_.surfaces().points().size() << " on the boundary"
-        << fraction << sum/domainSize() << endl;
+        << fraction << sum/domain_.size() << endl;
 }
 
 

@@ -4,7 +4,7 @@
 #include "dictionaryCheck.H"
 #include "elasticMaterial.H"
 #include "elementViscosity.H"
-#include "shape.H"
+#include "newShapeMesh.H"
 
 #include <algorithm>
 
@@ -68,10 +68,13 @@ static shapeMesh newMesh
     const direction nDims
 )
 {
-    return shape::New(dict.subDict("shape"), nDims)->mesh
+    return newShapeMesh
     (
+        dict.subDict("shape"),
+        nDims,
         nodeSpacing,
-        meshGrading(dict.subOrEmptyDict("mesh"))
+        meshGrading(dict.subOrEmptyDict("mesh")),
+        true
     );
 }
 
