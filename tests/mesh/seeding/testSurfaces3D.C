@@ -134,7 +134,8 @@ TEST(Packing, findsInSpaceWhatACompleteSearchFinds)
     {
         placedObject object;
         object.shape = shape;
-        object.centre = cmptMultiply(random.sample01<vector>(), {9, 6, 7});
+        object.centre =
+            cmptMultiply(random.sample01<vector>(), vector(9, 6, 7));
         object.rotation = fsi::randomRotation(random, 3);
         return object;
     };

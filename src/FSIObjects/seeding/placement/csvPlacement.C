@@ -7,8 +7,6 @@
 #include "stringOps.H"
 #include "addToRunTimeSelectionTable.H"
 
-#include <sstream>
-
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -151,88 +149,35 @@ void Foam::fsi::csvPlacement::checkRotations
 }
 
 
-Foam::scalar Foam::fsi::csvPlacement::number
-(
-    const string& text,
-    const label line
-) const
-{
-    // OpenFOAM's readScalar ends in a floating point exception for nan
-    std::istringstream is(text);
-    scalar value = 0;
-    if (!(is >> value && is.eof()))
-    {
-        refuse(line, "not a number: " + text);
-    }
-    return value;
-}
-
-
 Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
 (
     const packing& space,
-    const wordList& columns,
-    const wordList& values,
-    const label line
+    const csvRow& values
 )
 {
-    if (values.size() != columns.size())
+    const scalar vz = values.value("velocityZ", velocity().z());
+    if (nDims() == 2 && vz != 0)
     {
-        const string n(Foam::name(columns.size()));
-        refuse(line, Foam::name(values.size()) + " values, not " + n);
+        values.refuse("velocityZ must be 0 in two dimensions");
     }
-
-    const auto value = [&](const word& column, const scalar otherwise)
-    {
-        const label i = columns.find(column);
-        return i < 0 ? otherwise : number(values[i], line);
-    };
-    const auto triple = [&](const word& name, const vector& otherwise)
-    {
-        return vector
-        (
-            value(name + 'X', otherwise.x()),
-            value(name + 'Y', otherwise.y()),
-            value(name + 'Z', otherwise.z())
-        );
-    };
-    const label shapeColumn = columns.find("shape");
-    const auto rotation = [&]()
-    {
-        if (columns.found("axisX"))
-        {
-            const vector axis(triple("axis", Zero));
-            if (!(mag(axis) > VSMALL))
-            {
-                refuse(line, "the axis must not be zero");
-            }
-            return rotationAbout(axis, value("angle", 0));
-        }
-        if (columns.found("quaternionW"))
-        {
-            const scalar w = value("quaternionW", 0);
-            const vector v(triple("quaternion", Zero));
-            if (!(max(mag(w), mag(v)) > VSMALL))
-            {
-                refuse(line, "the quaternion must not be zero");
-            }
-            return rotationOf(w, v);
-        }
-        return rotationAboutZ(value("rotation", 0));
-    };
-
     return newObject
     (
-        shapeColumn < 0
-      ? readShape(dict(), space)
-      : findShape(values[shapeColumn], space),
+        values.has("shape")
+      ? findShape(values.text("shape"), space)
+      : readShape(dict(), space),
         checkedCentre
         (
-            point(value("x", 0), value("y", 0), value("z", 0)), space
+            point
+            (
+                values.value("x", 0),
+                values.value("y", 0),
+                values.value("z", 0)
+            ),
+            space
         ),
-        rotation(),
-        triple("velocity", velocity()),
-        triple("angularVelocity", angularVelocity())
+        values.rotation(),
+        values.triple("velocity", velocity()),
+        values.triple("angularVelocity", angularVelocity())
     );
 }
 
@@ -271,15 +216,26 @@ void Foam::fsi::csvPlacement::place(packing& space)
         {
             continue;
         }
-        const wordList values(splitLine(text));
         if (columns.empty())
         {
-            columns = values;
+            columns = splitLine(text);
             checkColumns(columns, line);
         }
         else
         {
-            objects.append(readObject(space, columns, values, line));
+            objects.append
+            (
+                readObject
+                (
+                    space,
+                    csvRow
+                    (
+                        columns,
+                        splitLine(text),
+                        [=](const string& reason) { refuse(line, reason); }
+                    )
+                )
+            );
         }
     }
     if (objects.empty())
