@@ -38,12 +38,8 @@ Foam::scalar Foam::fsi::closedSurface::centreDistance
     const closedSurface& other
 ) const
 {
-    vector d(other.centroid_ - centroid_);
-    if (nDims_ == 2)
-    {
-        d.z() = 0;
-    }
-    return mag(d);
+    const vector solved(1, 1, nDims_ == 2 ? 0 : 1);
+    return mag(cmptMultiply(solved, other.centroid_ - centroid_));
 }
 
 
@@ -88,20 +84,26 @@ void Foam::fsi::closedSurface::keepNear
 
 Foam::scalar Foam::fsi::closedSurface::leastDistanceSqr
 (
-    const labelList& mine,
     const closedSurface& other,
-    const labelList& others,
     const scalar limit,
     const bool any
 ) const
 {
-    scalar least = limit, reach = sqrt(limit);
+    // Only faces in the part that both share can be near
+    labelList mine(identity(faces_->size()));
+    labelList others(identity(other.faces_->size()));
+    boundBox box(other.bounds_);
+    keepNear(mine, box, limit);
+    other.keepNear(others, box, limit);
+    keepNear(mine, box, limit);
+
+    scalar least = sqr(limit), reach = limit;
     for (const label i : mine)
     {
-        const boundBox box(faceBox(i));
+        const boundBox own(faceBox(i));
         for (const label j : others)
         {
-            if (!near(box, other.faceBox(j), reach, nDims_))
+            if (!near(own, other.faceBox(j), reach, nDims_))
             {
                 continue;
             }
@@ -140,14 +142,14 @@ bool Foam::fsi::closedSurface::near
     const direction nDims
 )
 {
+    scalar apart = 0;
     for (direction d = 0; d < nDims; ++d)
     {
-        if (max(a.min()[d] - b.max()[d], b.min()[d] - a.max()[d]) > gap)
-        {
-            return false;
-        }
+        const scalar between =
+            max(a.min()[d] - b.max()[d], b.min()[d] - a.max()[d]);
+        apart += sqr(max(between, scalar(0)));
     }
-    return true;
+    return apart <= sqr(gap);
 }
 
 
@@ -260,39 +262,38 @@ bool Foam::fsi::closedSurface::closerThan
         return true;
     }
 
-    // Only faces in the part that both share can be near
-    labelList mine(identity(faces_->size()));
-    labelList others(identity(other.faces_->size()));
-    boundBox box(other.bounds_);
-    keepNear(mine, box, gap);
-    other.keepNear(others, box, gap);
-    keepNear(mine, box, gap);
-
-    const scalar least = leastDistanceSqr(mine, other, others, sqr(gap), true);
+    const scalar least = leastDistanceSqr(other, gap, true);
     return least < sqr(gap) || least == 0 || nested(other);
 }
 
 
 Foam::scalar Foam::fsi::closedSurface::distance
 (
-    const closedSurface& other
+    const closedSurface& other,
+    const scalar limit
 ) const
 {
+    if (!near(bounds_, other.bounds_, limit, nDims_))
+    {
+        return limit;
+    }
     if (nested(other))
     {
         return 0;
     }
-    return sqrt
-    (
-        leastDistanceSqr
-        (
-            identity(faces_->size()),
-            other,
-            identity(other.faces_->size()),
-            sqr(GREAT),
-            false
-        )
-    );
+
+    // No more than that of two nodes
+    const vector solved(1, 1, nDims_ == 2 ? 0 : 1);
+    scalar nodesSqr = sqr(limit);
+    for (const point& p : points_)
+    {
+        for (const point& q : other.points_)
+        {
+            nodesSqr = min(nodesSqr, magSqr(cmptMultiply(solved, p - q)));
+        }
+    }
+    const scalar reach = (1 + 1e-9)*sqrt(nodesSqr);
+    return min(limit, sqrt(leastDistanceSqr(other, reach, false)));
 }
 
 

@@ -153,7 +153,7 @@ Foam::scalar Foam::fsi::packing::distance
     for (const vector& shift : shifts_)
     {
         const closedSurface image(candidate.moved(tensor::I, shift));
-        least = min(least, image.distance(surfaces_[objecti]));
+        least = image.distance(surfaces_[objecti], least);
     }
     return least;
 }

@@ -82,7 +82,7 @@ Foam::point Foam::fsi::placement::checkedCentre
     )
     {
         FatalIOErrorInFunction(dict_)
-            << "Placement " << name_ << " puts an object at the centre "
+            << "An object of placement " << name_ << " has the centre "
             << centre << ", out of the plane: in two dimensions z must be 0 or"
             << " lie in the mesh, from " << domain.min().z() << " to "
             << domain.max().z() << " m" << exit(FatalIOError);
