@@ -96,7 +96,7 @@ public:
     {
         if (!filled_ || even_)
         {
-            return filled_ ? cellSize : 0;
+            return filled_ ? cellSize : 1e6;
         }
         return cellSize*grading_.size(std::sqrt(surface_.squared_distance(p)));
     }
@@ -118,12 +118,12 @@ static polyhedron polyhedronOf(const shapeMesh& surface, const scalar size)
     {
         std::copy_n(surface.faces[i].begin(), 3, faces[i].begin());
     }
-    polyhedron result;
+    polyhedron body;
     CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh
     (
-        points, faces, result
+        points, faces, body
     );
-    return result;
+    return body;
 }
 
 
@@ -270,7 +270,7 @@ Foam::fsi::shapeMesh Foam::fsi::tetrahedralisation::mesh
         parameters::facet_size = facetSize,
         parameters::facet_distance = facetDistance,
         parameters::facet_topology = CGAL::MANIFOLD,
-        parameters::cell_radius_edge_ratio = 2,
+        parameters::cell_radius_edge_ratio = filled ? 2 : 0,
         parameters::cell_size = cells
     );
     meshComplex complex = CGAL::make_mesh_3<meshComplex>
