@@ -58,6 +58,28 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
     }
 }
 
+
+//- Modes of each group's boundary nodes
+static std::vector<std::vector<Eigen::MatrixXd>> modesOfGroups
+(
+    const fsiSystem& system,
+    const std::vector<transposedMode>& modes
+)
+{
+    std::vector<std::vector<Eigen::MatrixXd>> all;
+    all.resize(system.objects.groups().size());
+    fsiSystem::groupNodal boundary;
+    for (const transposedMode& mode : modes)
+    {
+        system.toBoundary(mode.vectors, boundary);
+        forAll(boundary, groupi)
+        {
+            all[groupi].push_back(boundary[groupi]);
+        }
+    }
+    return all;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -79,10 +101,10 @@ void Foam::fsi::viscousCoupling::updateTransposedStress()
     transposed_ = transposedModes(system_);
     const std::vector<transposedMode> strains
     (
-        transposed_.begin() + 1,
+        transposed_.begin() + nRotations(system_.grid.nDims()),
         transposed_.end()
     );
-    transposed_.resize(1);
+    transposed_.resize(transposed_.size() - strains.size());
 
     const surfaceSet& surfaces = system_.objects.surfaces();
     strainForce_.setSize(surfaces.points().size());
@@ -129,8 +151,7 @@ void Foam::fsi::viscousCoupling::updateResponses
     addShortWaves(system_, copyLinks_);
 
     updateTransposedStress();
-    fsiSystem::groupNodal rotation;
-    system_.toBoundary(transposed_.front().vectors, rotation);
+    const auto rotations = modesOfGroups(system_, transposed_);
     responses_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
     {
@@ -147,7 +168,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         (
             system_.deltaT(),
             copyLinks_.data() + objects.objectIndex(groupi, 0),
-            rotation[groupi],
+            rotations[groupi],
             predicted[groupi]
         );
     }

@@ -78,7 +78,8 @@ void Foam::fsi::viscousResponse::makeWoodbury()
     {
         modeMatrix inverse(modeMatrix::Zero(nModes, nModes));
         inverse.topLeftCorner<2, 2>() = deltaT_*added_[copyi].inverse();
-        inverse(2, 2) = 1;
+        const label nRotations = nModes - 2;
+        inverse.bottomRightCorner(nRotations, nRotations).setIdentity();
         for (label mode = 0; mode < nModes; ++mode)
         {
             inverse.col(mode) += project(solved_[mode], copyi, nModes);
@@ -107,15 +108,19 @@ void Foam::fsi::viscousResponse::update
 (
     const scalar dt,
     const std::vector<copyLink>* links,
-    const Eigen::MatrixXd& rotation,
+    const std::vector<Eigen::MatrixXd>& rotations,
     const Eigen::MatrixXd& predicted
 )
 {
     deltaT_ = dt;
     start_ = predicted;
-    modes_.resize(maxModes);
-    modes_[2].setZero(nRows(), rotation.cols());
-    modes_[2].topRows(rotation.rows()) = rotation;
+    modes_.resize(2);
+    for (const Eigen::MatrixXd& rotation : rotations)
+    {
+        Eigen::MatrixXd mode(Eigen::MatrixXd::Zero(nRows(), rotation.cols()));
+        mode.topRows(rotation.rows()) = rotation;
+        modes_.push_back(mode);
+    }
     makeMatrices(links);
     makeWoodbury();
     makeSource();
