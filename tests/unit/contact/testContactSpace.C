@@ -66,7 +66,8 @@ scalar parting(const rigidBodies& world)
 {
     const rigidBodies::solid& a = world.solids[0];
     const rigidBodies::solid& b = world.solids[1];
-    return (b.velocity - a.velocity) & normalised(b.centre - a.centre);
+    const vector along(b.centre - a.centre);
+    return ((b.velocity - a.velocity) & along)/mag(along);
 }
 
 } // End anonymous namespace
