@@ -40,7 +40,6 @@ TO_BE_CUT = {
     "bodyGroup",
     "cartesianMultigrid",
     "colouredMatrix",
-    "contact",
     "immersedFluid",
     "interfaceGeometry",
     "population",

@@ -86,7 +86,7 @@ void Foam::fsi::surfaceTreeSearch::findNear
 
 void Foam::fsi::surfaceTreeSearch::descend
 (
-    const contactGeometry::nodeGroup& nodes,
+    const nodeGroup& nodes,
     const label objecti,
     const scalar range
 )
@@ -99,7 +99,8 @@ void Foam::fsi::surfaceTreeSearch::descend
     {
         const label i = visit_.remove();
         const surfaceTrees::branch& b = tree[i];
-        if (!geometry_.mayPair(nodes, objecti, b.places, b.normals, range))
+        const bool own = geometry_.selfContact();
+        if (!nodes.mayPair(objecti, b.places, b.normals, range, own))
         {
             continue;
         }
@@ -174,10 +175,11 @@ void Foam::fsi::surfaceTreeSearch::findPairs
         {
             continue;
         }
-        const contactGeometry::nodeGroup together
-        (
-            geometry_.group(surfaces, objecti, nodes)
-        );
+        nodeGroup together(objecti);
+        for (const label nodei : nodes)
+        {
+            geometry_.addTo(together, surfaces, start + nodei);
+        }
         candidates_.clear();
         for (const labelPair& other : near)
         {
