@@ -4,6 +4,11 @@
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+namespace Foam
+{
+namespace fsi
+{
+
 namespace
 {
 
@@ -30,6 +35,9 @@ public:
 };
 
 } // End anonymous namespace
+
+} // End namespace fsi
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
