@@ -95,16 +95,59 @@ TEST(ContactSearchSpace, placesOfOneObjectThatFaceEachOther)
     const surfaceSet ball(slitBall(4));
     for (const char* type : {"type surfaceCells;", "type surfaceTree;"})
     {
-        const contactPairs found(contactsOf(ball, 0.15, type));
-        expectSame(found, bruteForce(ball, 0.15, true));
-        EXPECT_GT(found.pairs.size(), 100);
+        const contactPairs found(contactsOf(ball, 0.4, type));
+        expectSame(found, bruteForce(ball, 0.4, true));
+        EXPECT_GT(found.pairs.size(), 50);
         for (const contactPair& p : found.pairs)
         {
             EXPECT_GT(p.gap, 0);
-            EXPECT_LT(mag(ball.points()[p.node].z()), 0.4);
+            EXPECT_LT(mag(ball.points()[p.node].z()), 0.5);
         }
         EXPECT_EQ(contactsOf(sphereAtOrigin(1, 3), 0.8, type).pairs.size(), 0);
     }
+}
+
+
+TEST(ContactSearchSpace, medialAxis)
+{
+    // Two spheres 0.2 apart; the axis between them is the plane x = 0
+    surfaceSet surfaces(3);
+    List<medialAxisPoint> axis;
+    for (const scalar side : {-1, 1})
+    {
+        appendSphere(surfaces, point(1.1*side, 0, 0), 1, 3);
+        axis.append
+        (
+            medialAxisPoint
+            {
+                point(0, 0.05*side, 0.1), 0.05, FixedList<label, 2>({0, 1})
+            }
+        );
+    }
+    contactPairs found;
+    searchOf("type medialAxis;")->find
+    (
+        surfaces, UList<contactWall>(), axis, 0.4, found
+    );
+    EXPECT_GT(found.nodePairs.size(), 20);
+    for (const labelPair& p : found.nodePairs)
+    {
+        EXPECT_EQ(surfaces.pointObject()[p.first()], 0);
+        EXPECT_EQ(surfaces.pointObject()[p.second()], 1);
+        EXPECT_LT(mag(surfaces.points()[p.first()]), 0.52);
+    }
+
+    // The nearest pairs are the exact ones
+    scalar smallest[2] = {GREAT, GREAT};
+    for (const contactPair& p : found.pairs)
+    {
+        smallest[0] = min(smallest[0], p.gap);
+    }
+    for (const contactPair& p : bruteForce(surfaces, 0.4).pairs)
+    {
+        smallest[1] = min(smallest[1], p.gap);
+    }
+    EXPECT_EQ(smallest[0], smallest[1]);
 }
 
 

@@ -142,15 +142,27 @@ void Foam::fsi::surfaceTreeSearch::visit
     for (const candidate& c : candidates_)
     {
         // As far as what was found: an edge's other face may be in this group
-        const scalar reachSqr = geometry_.reachSqr(surfaces, c.object, range);
-        if (c.distanceSqr > 1.000001*reachSqr)
+        const auto farthest = [&]()
+        {
+            return
+                1.000001
+               *Foam::sqrt(geometry_.reachSqr(surfaces, c.object, range));
+        };
+        scalar reach = farthest();
+        if (c.distanceSqr > sqr(reach))
         {
             continue;
         }
         const label start = surfaces.faceStart()[c.object];
-        for (const label facei : trees_.order(c.object).faces(c.group))
+        for (const label local : trees_.order(c.object).faces(c.group))
         {
-            geometry_.consider(surfaces, nodei, start + facei, range);
+            const label facei = start + local;
+            const surfaceTrees::sphere& s = trees_.around(facei);
+            if (magSqr(x - s.centre) <= sqr(reach + s.radius))
+            {
+                geometry_.consider(surfaces, nodei, facei, range);
+                reach = farthest();
+            }
         }
     }
 }

@@ -41,6 +41,30 @@ void Foam::fsi::surfaceTrees::updateTree
 }
 
 
+void Foam::fsi::surfaceTrees::updateSpheres(const surfaceSet& surfaces)
+{
+    const pointField& x = surfaces.points();
+    spheres_.setSize(surfaces.faces().size());
+    forAll(spheres_, facei)
+    {
+        const surfaceFace& f = surfaces.faces()[facei];
+        sphere& s = spheres_[facei];
+        s.centre = x[f[0]];
+        for (label i = 1; i < surfaces.nNodes(); ++i)
+        {
+            s.centre += x[f[i]];
+        }
+        s.centre /= surfaces.nNodes();
+        scalar radiusSqr = 0;
+        for (label i = 0; i < surfaces.nNodes(); ++i)
+        {
+            radiusSqr = max(radiusSqr, magSqr(x[f[i]] - s.centre));
+        }
+        s.radius = Foam::sqrt(radiusSqr);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::surfaceTrees::update
@@ -72,6 +96,7 @@ void Foam::fsi::surfaceTrees::update
     {
         branches_.setSize(nBranches);
     }
+    updateSpheres(surfaces);
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
         updateTree(surfaces, geometry, objecti);
