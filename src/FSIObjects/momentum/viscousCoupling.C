@@ -55,6 +55,28 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
     }
 }
 
+
+//- Modes of each group's boundary nodes
+static std::vector<std::vector<Eigen::MatrixXd>> modesOfGroups
+(
+    const fsiSystem& system,
+    const std::vector<transposedMode>& modes
+)
+{
+    std::vector<std::vector<Eigen::MatrixXd>> all;
+    all.resize(system.objects.groups().size());
+    fsiSystem::groupNodal boundary;
+    for (const transposedMode& mode : modes)
+    {
+        system.toBoundary(mode.vectors, boundary);
+        forAll(boundary, groupi)
+        {
+            all[groupi].push_back(boundary[groupi]);
+        }
+    }
+    return all;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
