@@ -27,7 +27,6 @@ RANKS = (
 
 # Classes still to be cut; the list only gets shorter
 TO_BE_CUT = {
-    "contact",
     "population",
     "shapeTemplate",
 }

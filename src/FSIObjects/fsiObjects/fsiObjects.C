@@ -65,7 +65,12 @@ Foam::fsi::fsiObjects::fsiObjects
     timer_(),
     boundaries_(system_.grid, system_.sides, system_.objects, properties_),
     coupling_(select(system_, timer_)),
-    writer_(mesh.time(), properties_.subOrEmptyDict("output")),
+    writer_
+    (
+        mesh.time(),
+        properties_.subOrEmptyDict("output"),
+        system_.grid.nDims()
+    ),
     signedDistance_
     (
         IOobject

@@ -8,6 +8,23 @@
 const Foam::word Foam::fsi::population::folder("fsiObjects");
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- True if bodies with this motion stay where they are
+static bool stays(const dictionary& motion)
+{
+    return motion.lookupOrDefault<word>("type", "") == "fixed";
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::population::renumber()
@@ -36,7 +53,11 @@ void Foam::fsi::population::renumber()
         }
         for (label copyi = 0; copyi < groups_[groupi].size(); ++copyi)
         {
-            surfaces_.append(boundary, s.faces());
+            const label objecti = surfaces_.append(boundary, s.faces());
+            if (stays(motions_[groupi]))
+            {
+                surfaces_.setFixed(objecti);
+            }
         }
         SubList<label>
         (
@@ -142,8 +163,14 @@ Foam::label Foam::fsi::population::findGroup(const word& shapeName) const
 
 void Foam::fsi::population::wrap(const periodicImages& images)
 {
-    for (bodyGroup& group : groups_)
+    forAll(groups_, groupi)
     {
+        // What is fixed is where it was put, and may reach out on both sides
+        if (stays(motions_[groupi]))
+        {
+            continue;
+        }
+        bodyGroup& group = groups_[groupi];
         for (label copyi = 0; copyi < group.size(); ++copyi)
         {
             const labelVector n =

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "admmControls.H"
-#include "dictionaryCheck.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -16,7 +16,10 @@ Foam::fsi::admmControls::admmControls
         readChoice(dict, "scheme", "quasiNewton", {"ADMM", "quasiNewton"})
      == "quasiNewton"
     ),
-    iterations(readAtLeast(dict, "iterations", quasiNewton ? 8 : 10, 1)),
+    iterations
+    (
+        readBetween(dict, "iterations", quasiNewton ? 8 : 10, 1, 100000)
+    ),
     tolerance(readNonNegative(dict, "tolerance", 0)),
     springWeight
     (

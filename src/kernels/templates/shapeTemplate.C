@@ -3,7 +3,7 @@
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
 #include "massPoints.H"
-#include "shape.H"
+#include "newShapeMesh.H"
 #include "stepMatrix.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -49,10 +49,13 @@ static shapeMesh newMesh
     const direction nDims
 )
 {
-    return shape::New(dict.subDict("shape"), nDims)->mesh
+    return newShapeMesh
     (
+        dict.subDict("shape"),
+        nDims,
         nodeSpacing,
-        meshGrading(dict.subOrEmptyDict("mesh"))
+        meshGrading(dict.subOrEmptyDict("mesh")),
+        true
     );
 }
 

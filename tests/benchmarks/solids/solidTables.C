@@ -74,7 +74,8 @@ void printBending()
             {
                 std::printf
                 (
-                    ",%.3f", bendingCompliance(n, materialOf(material.second, K*E))
+                    ",%.3f",
+                    bendingCompliance(n, materialOf(material.second, K*E))
                 );
                 std::fflush(stdout);
             }
