@@ -144,14 +144,10 @@ void Foam::fsi::viscousCoupling::solve
 
     updateResponses(predicted);
     setMatrix(UEqn);
-    fsiSystem::groupNodal boundary(predicted.size());
-    forAll(predicted, groupi)
-    {
-        boundary[groupi] = predicted[groupi].topRows
-        (
-            system_.objects.shape(groupi).nBoundaryNodes()
-        );
-    }
+    fsiSystem::groupNodal boundary
+    (
+        system_.objects.layout().boundaryOf(predicted)
+    );
     nodeVelocity(boundary);
     sweep(result, boundary);
     result.print(Info.masterStream(U.mesh().comm()));
