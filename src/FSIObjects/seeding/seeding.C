@@ -2,7 +2,8 @@
 
 #include "seeding.H"
 #include "dictionaryCheck.H"
-#include "outlineTools.H"
+#include "nameCheck.H"
+#include "outlineThickness.H"
 #include "placement.H"
 #include "shape.H"
 
@@ -22,6 +23,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
                 << dict.name() << " must be the dictionary of a shape"
                 << exit(FatalIOError);
         }
+        checkName(dict, e.keyword());
         addShape(e.dict());
 
         const shapeTemplate& shape = objects_.groups().last().shape();
@@ -117,7 +119,7 @@ void Foam::fsi::seeding::checkThickness
 {
     const scalar cells = readNonNegative(dict, "minimumCells", 3);
     const scalar least = cells*domain_.spacing;
-    const scalar thickness = outlineTools::minimumThickness(shape.points());
+    const scalar thickness = outlineThickness::smallest(shape.points());
     if (thickness < least)
     {
         FatalIOErrorInFunction(dict)
