@@ -2,6 +2,7 @@
 
 #include "seeding.H"
 #include "dictionaryCheck.H"
+#include "nameCheck.H"
 #include "placement.H"
 #include "shapeCheck.H"
 
@@ -21,6 +22,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
                 << dict.name() << " must be the dictionary of a shape"
                 << exit(FatalIOError);
         }
+        checkName(dict, e.keyword());
         addShape(e.dict());
 
         const shapeTemplate& shape = objects_.groups().last().shape();
