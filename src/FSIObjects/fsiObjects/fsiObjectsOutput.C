@@ -69,10 +69,7 @@ void Foam::fsi::fsiObjects::report()
     timer_.endStep(time.value(), time.deltaTValue(), time.endTime().value());
     record.seconds = timer_.seconds();
     writer_.writeStep(record);
-    if (Pstream::master())
-    {
-        record.log(Info, timer_);
-    }
+    record.log(Info, timer_);
 }
 
 

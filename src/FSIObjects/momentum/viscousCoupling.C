@@ -16,12 +16,11 @@ typedef viscousResponse::copyLink copyLink;
 //- Give every rank the links of all ranks, in the order of the ranks
 static void gatherLinks(std::vector<std::vector<copyLink>>& links)
 {
-    if (!Pstream::parRun())
+    if (!severalRanks())
     {
         return;
     }
 
-    List<scalarList> ranks(Pstream::nProcs());
     DynamicList<scalar> packed;
     for (std::size_t objecti = 0; objecti < links.size(); ++objecti)
     {
@@ -37,9 +36,7 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
         }
         links[objecti].clear();
     }
-    ranks[Pstream::myProcNo()] = packed;
-    Pstream::gatherList(ranks);
-    Pstream::scatterList(ranks);
+    const List<scalarList> ranks(gatherOverRanks(scalarList(packed)));
 
     const label width = 2 + 2*copyLink().nodes.size();
     for (const scalarList& values : ranks)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -35,12 +36,9 @@ void Foam::fsi::objectContact::findAxis()
     }
     axis_->update(system_.objects.surfaces(), system_.grid.cells(1));
 
-    List<pointField> positions(Pstream::nProcs());
-    List<scalarList> distances(Pstream::nProcs());
-    List<labelList> objects(Pstream::nProcs());
-    pointField& myPositions = positions[Pstream::myProcNo()];
-    scalarList& myDistances = distances[Pstream::myProcNo()];
-    labelList& myObjects = objects[Pstream::myProcNo()];
+    pointField myPositions;
+    scalarList myDistances;
+    labelList myObjects;
     for (const medialAxisPoint& p : axis_->points())
     {
         myPositions.append(p.position);
@@ -48,12 +46,9 @@ void Foam::fsi::objectContact::findAxis()
         myObjects.append(p.object[0]);
         myObjects.append(p.object[1]);
     }
-    Pstream::gatherList(positions);
-    Pstream::scatterList(positions);
-    Pstream::gatherList(distances);
-    Pstream::scatterList(distances);
-    Pstream::gatherList(objects);
-    Pstream::scatterList(objects);
+    const List<pointField> positions(gatherOverRanks(myPositions));
+    const List<scalarList> distances(gatherOverRanks(myDistances));
+    const List<labelList> objects(gatherOverRanks(myObjects));
 
     axisPoints_.clear();
     forAll(positions, ranki)

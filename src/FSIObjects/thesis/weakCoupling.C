@@ -3,6 +3,7 @@
 #include "weakCoupling.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "fluidRegions.H"
 #include "openLaplacian.H"
 #include "sharedPrediction.H"
 
@@ -126,7 +127,7 @@ void Foam::fsi::weakCoupling::solvePressure
 
     system_.walls.flux(-wallVelocity_, pEqn.source());
     subtractOutflow(phiHbyA, pEqn.source());
-    system_.geometry.removeNetSource(p, pEqn.source());
+    removeNetSource(system_.geometry, p, pEqn.source());
 
     solveFluidPressure(p, pEqn);
     subtractGradient(system_.geometry, p, rAU, phiHbyA);

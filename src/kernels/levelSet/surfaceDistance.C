@@ -2,7 +2,7 @@
 
 #include "surfaceDistance.H"
 #include "fetchSamples.H"
-#include "triangleProjection.H"
+#include "segmentReach.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -49,42 +49,43 @@ void Foam::fsi::surfaceDistance::check
 }
 
 
-template<class Projection>
-void Foam::fsi::surfaceDistance::addFace
+inline void Foam::fsi::surfaceDistance::take
 (
-    const Projection& face,
+    const label samplei,
     const label facei,
-    const faceReach& reach,
+    const scalar distanceSqr
+)
+{
+    if (distanceSqr < clearlyLess*distance_[samplei])
+    {
+        distance_[samplei] = distanceSqr;
+        nearestFace_[samplei] = facei;
+    }
+}
+
+
+void Foam::fsi::surfaceDistance::addSegment
+(
+    const segmentProjection& face,
+    const label facei,
+    const segmentReach& reach,
     const cartesianBlock& block
 )
 {
-    labelVector first(0, 0, 0), end(1, 1, 1);
-    for (direction dir = 1; dir < block.nDims(); ++dir)
+    const label first = block.nUpTo(reach.bounds().min().y(), 1);
+    const label end = block.nUpTo(reach.bounds().max().y(), 1);
+    for (label j = first; j < end; ++j)
     {
-        first[dir] = block.nUpTo(reach.bounds().min()[dir], dir);
-        end[dir] = block.nUpTo(reach.bounds().max()[dir], dir);
-    }
-
-    for (label k = first.z(); k < end.z(); ++k)
-    {
-        for (label j = first.y(); j < end.y(); ++j)
+        point p(block.position(labelVector(0, j, 0)));
+        scalar from, to;
+        reach.row(p, from, to);
+        const label begin = block.nUpTo(from, 0);
+        const label behind = block.nUpTo(to, 0);
+        const label row = block.index(0, j, 0);
+        for (label i = begin; i < behind; ++i)
         {
-            point p(block.position(labelVector(0, j, k)));
-            scalar from, to;
-            reach.row(p, from, to);
-            const label begin = block.nUpTo(from, 0);
-            const label behind = block.nUpTo(to, 0);
-            const label row = block.index(0, j, k);
-            for (label i = begin; i < behind; ++i)
-            {
-                p.x() = block.latticePosition(block.start().x() + i, 0);
-                const scalar distance = face.distanceSqr(p);
-                if (distance < clearlyLess*distance_[row + i])
-                {
-                    distance_[row + i] = distance;
-                    nearestFace_[row + i] = facei;
-                }
-            }
+            p.x() = block.latticePosition(block.start().x() + i, 0);
+            take(row + i, facei, face.distanceSqr(p));
         }
     }
 }
@@ -132,13 +133,13 @@ void Foam::fsi::surfaceDistance::addSegments
         return
             other < 0 ? 1
           : other < i ? 0
-          : faceReach::turn(along_[i], along_[other]);
+          : segmentReach::turn(along_[i], along_[other]);
     };
     for (label i = 0; i < nFaces; ++i)
     {
         const surfaceFace& f = surfaces.faces()[firstFace + i];
         ends(i, a, b);
-        const faceReach reach
+        const segmentReach reach
         (
             a,
             along_[i],
@@ -147,7 +148,7 @@ void Foam::fsi::surfaceDistance::addSegments
             turn(i, beginsAt_[f[1] - firstNode]),
             bandWidth_
         );
-        addFace(segmentProjection(a, b), firstFace + i, reach, block);
+        addSegment(segmentProjection(a, b), firstFace + i, reach, block);
     }
 }
 
@@ -162,16 +163,20 @@ void Foam::fsi::surfaceDistance::addTriangles
     const pointField& points = surfaces.points();
     const labelList& faceStart = surfaces.faceStart();
 
+    cones_.update(surfaces, objecti);
     for (label i = faceStart[objecti]; i < faceStart[objecti + 1]; ++i)
     {
         const surfaceFace& f = surfaces.faces()[i];
-        const point& a = points[f[0]];
-        const point& b = points[f[1]];
-        const point& c = points[f[2]];
-        const triangleProjection face(a, b, c);
-        const boundBox bounds(min(min(a, b), c), max(max(a, b), c));
-        const faceReach reach(bounds, a, face.normal(), bandWidth_);
-        addFace(face, i, reach, block);
+        samples_.update
+        (
+            triangleReach(surfaces, i, cones_, bandWidth_),
+            triangleProjection(points[f[0]], points[f[1]], points[f[2]]),
+            block
+        );
+        for (label k = 0; k < samples_.size(); ++k)
+        {
+            take(samples_.index(k), i, samples_.distanceSqr(k));
+        }
     }
 }
 

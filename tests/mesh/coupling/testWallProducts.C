@@ -128,7 +128,7 @@ struct linkedDiscs
 {
     const scalar viscosity = 0.3;
     const scalar density = 7;
-    colouredMatrix matrix;
+    redBlackMatrix matrix;
     linkOperator operation;
     scalarField diagonal;
     vectorField source;
@@ -210,7 +210,7 @@ TEST(linkOperator, correctsTheLinks)
     for (direction split = 0; split < 2; ++split)
     {
         linkedDiscs discs(split);
-        colouredMatrix& matrix = discs.matrix;
+        redBlackMatrix& matrix = discs.matrix;
         discs.operation.setSources(discs.v);
         const scalar norm = matrix.sourceNorm();
         matrix.startCorrection(norm);

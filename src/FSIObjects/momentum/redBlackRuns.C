@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "colouredRows.H"
+#include "redBlackRuns.H"
 #include "vectorClones.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

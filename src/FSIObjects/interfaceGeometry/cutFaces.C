@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "interfaceGeometry.H"
+#include "cutFaces.H"
 #include "fetchAhead.H"
-#include "wallTreatment.H"
 #include "levelSetUpdate.H"
+#include "wallTreatment.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::interfaceGeometry::setCut
+void Foam::fsi::cutFaces::setCut
 (
     const scalarField& cornerDistance,
     const cartesianBlock& corners,
@@ -45,7 +45,7 @@ void Foam::fsi::interfaceGeometry::setCut
 }
 
 
-void Foam::fsi::interfaceGeometry::addWallFace
+void Foam::fsi::cutFaces::addWallFace
 (
     const label facei,
     const label own,
@@ -58,12 +58,12 @@ void Foam::fsi::interfaceGeometry::addWallFace
     w.dir = grid_.faceDirection(facei);
     w.lower = upwards ? own : nei;
     w.upper = upwards ? nei : own;
-    w.area = 1 - openness_[facei];
+    w.area = 1 - open_.openness()[facei];
     wallFaces_.append(w);
 }
 
 
-void Foam::fsi::interfaceGeometry::addWallLink
+void Foam::fsi::cutFaces::addWallLink
 (
     const label facei,
     const label celli,
@@ -82,28 +82,33 @@ void Foam::fsi::interfaceGeometry::addWallLink
 }
 
 
-void Foam::fsi::interfaceGeometry::findWalls(const boolList& across)
+void Foam::fsi::cutFaces::findWalls()
 {
     const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
     const labelList& owner = grid_.mesh().faceOwner();
     const labelList& neighbour = grid_.mesh().faceNeighbour();
 
+    const scalarField& openness = open_.openness();
+    const boolList& fluidCell = open_.fluidCell();
+    const boolList& activeCell = open_.activeCell();
+    const boolList& across = open_.fluidAcross();
+
     wallFaces_.clear();
     innerFaces_.clear();
     wallLinks_.clear();
-    for (const label facei : nearFaces_)
+    for (const label facei : open_.nearFaces())
     {
         const label inBoundary = facei - neighbour.size();
         const label own = owner[facei];
         const label nei = inBoundary < 0 ? neighbour[facei] : -1;
-        const bool fluid = fluidCell_[own];
-        const bool otherFluid = nei < 0 ? across[inBoundary] : fluidCell_[nei];
-        const bool active = activeCell_[own];
-        const bool otherActive = nei >= 0 && activeCell_[nei];
+        const bool fluid = fluidCell[own];
+        const bool otherFluid = nei < 0 ? across[inBoundary] : fluidCell[nei];
+        const bool active = activeCell[own];
+        const bool otherActive = nei >= 0 && activeCell[nei];
 
-        if (openness_[facei] < 1 && (active || otherActive))
+        if (openness[facei] < 1 && (active || otherActive))
         {
-            if (openness_[facei] > 0 && !fluid && !otherFluid)
+            if (openness[facei] > 0 && !fluid && !otherFluid)
             {
                 innerFaces_.append(wallFaces_.size());
             }
@@ -125,7 +130,7 @@ void Foam::fsi::interfaceGeometry::findWalls(const boolList& across)
 }
 
 
-void Foam::fsi::interfaceGeometry::placeWallFaces
+void Foam::fsi::cutFaces::placeWallFaces
 (
     const levelSetUpdate& levelSet,
     const surfaceSet& surfaces
@@ -169,7 +174,7 @@ void Foam::fsi::interfaceGeometry::placeWallFaces
 }
 
 
-void Foam::fsi::interfaceGeometry::placeWallLinks
+void Foam::fsi::cutFaces::placeWallLinks
 (
     const levelSetUpdate& levelSet,
     const surfaceSet& surfaces
@@ -207,6 +212,34 @@ void Foam::fsi::interfaceGeometry::placeWallLinks
             found
         );
     }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::cutFaces::cutFaces
+(
+    const openParts& open,
+    const wallTreatment& wall
+)
+:
+    grid_(open.grid()),
+    open_(open),
+    wall_(wall)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::cutFaces::update
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    findWalls();
+    placeWallFaces(levelSet, surfaces);
+    placeWallLinks(levelSet, surfaces);
 }
 
 

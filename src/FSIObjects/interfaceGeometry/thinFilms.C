@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "interfaceGeometry.H"
+#include "thinFilms.H"
 #include "fetchAhead.H"
 #include "levelSetUpdate.H"
 
@@ -62,7 +62,7 @@ static scalar slopeDrop
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::fsi::interfaceGeometry::isNarrow
+bool Foam::fsi::thinFilms::isNarrow
 (
     const label celli,
     scalar& change
@@ -72,6 +72,8 @@ bool Foam::fsi::interfaceGeometry::isNarrow
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
 
     // A side at a patch counts as open
+    const scalarField& openness = open_.openness();
+    const scalarField& last = open_.lastOpenness();
     scalar open = 0;
     change = 0;
     for (const label facei : mesh.cells()[celli])
@@ -83,8 +85,8 @@ bool Foam::fsi::interfaceGeometry::isNarrow
         }
         if (internal || patches[patches.whichPatch(facei)].coupled())
         {
-            open += openness_[facei];
-            change += mag(openness_[facei] - lastOpenness_[facei]);
+            open += openness[facei];
+            change += mag(openness[facei] - last[facei]);
         }
         else
         {
@@ -96,14 +98,19 @@ bool Foam::fsi::interfaceGeometry::isNarrow
 }
 
 
-Foam::labelList Foam::fsi::interfaceGeometry::halfClosedCells()
+Foam::labelList Foam::fsi::thinFilms::halfClosedCells
+(
+    const UList<wallFace>& wallFaces
+)
 {
-    DynamicList<label> touched(wallFaces_.size());
-    forAll(wallFaces_, i)
+    const scalarField& openness = open_.openness();
+    DynamicList<label> touched(wallFaces.size());
+    forAll(wallFaces, i)
     {
-        fetchAhead(openness_[fetchedAhead(wallFaces_, i).face]);
-        const scalar closed = 1 - openness_[wallFaces_[i].face];
-        for (const label celli : {wallFaces_[i].lower, wallFaces_[i].upper})
+        fetchAhead(openness[fetchedAhead(wallFaces, i).face]);
+        const wallFace& w = wallFaces[i];
+        const scalar closed = 1 - openness[w.face];
+        for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0)
             {
@@ -131,23 +138,57 @@ Foam::labelList Foam::fsi::interfaceGeometry::halfClosedCells()
 }
 
 
-void Foam::fsi::interfaceGeometry::setFilmCells
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::thinFilms::thinFilms(const openParts& open)
+:
+    grid_(open.grid()),
+    open_(open),
+    closedSides_(grid_.mesh().nCells(), 0),
+    atPatch_(grid_.mesh().nCells(), false),
+    change_
+    (
+        IOobject
+        (
+            "filmChange",
+            grid_.mesh().time().timeName(),
+            grid_.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        grid_.mesh(),
+        dimensionedScalar("value", dimless, 0)
+    )
+{
+    for (const polyPatch& patch : grid_.mesh().boundaryMesh())
+    {
+        if (!patch.coupled() && !isA<emptyPolyPatch>(patch))
+        {
+            UIndirectList<bool>(atPatch_, patch.faceCells()) = true;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::thinFilms::update
 (
     const levelSetUpdate& levelSet,
-    const bool first
+    const UList<wallFace>& wallFaces
 )
 {
     const scalarField& distance = levelSet.cellDistance();
     const cartesianBlock halo(grid_.cells(1));
 
-    for (const label celli : filmCells_)
+    for (const label celli : cells_)
     {
-        filmChange_[celli] = 0;
+        change_[celli] = 0;
     }
-    filmCells_.clear();
+    cells_.clear();
     const scalar diagonal =
         0.5*sqrt(scalar(grid_.nDims()))*grid_.spacing();
-    for (const label celli : halfClosedCells())
+    for (const label celli : halfClosedCells(wallFaces))
     {
         const label here = grid_.haloIndex()[celli];
         scalar change;
@@ -161,10 +202,11 @@ void Foam::fsi::interfaceGeometry::setFilmCells
          && isNarrow(celli, change)
         )
         {
-            filmCells_.append(celli);
-            if (!first)
+            cells_.append(celli);
+            if (!open_.first())
             {
-                filmChange_[celli] = min(change/fastest, 1.0);
+                // In the first step change_ may come from a restart
+                change_[celli] = min(change/fastest, 1.0);
             }
         }
     }

@@ -4,7 +4,7 @@
 
 #include "boxMesh.H"
 #include "cartesianMesh.H"
-#include "colouredMatrix.H"
+#include "redBlackMatrix.H"
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
 #include "surfaceFields.H"
@@ -87,7 +87,7 @@ void expectSolution
 }
 
 //- Sweep until nothing changes
-void sweepOften(colouredMatrix& matrix)
+void sweepOften(redBlackMatrix& matrix)
 {
     for (label i = 0; i < 200; ++i)
     {
@@ -97,7 +97,7 @@ void sweepOften(colouredMatrix& matrix)
 
 
 //- Correct the solution until nothing changes
-void correctOften(colouredMatrix& matrix)
+void correctOften(redBlackMatrix& matrix)
 {
     for (label i = 0; i < 4; ++i)
     {
@@ -120,7 +120,7 @@ void checkSolutions(const labelVector& nCells, const boxLayout& layout)
 
     volVectorField U(velocity(box.mesh()));
     const tmp<fvVectorMatrix> equation(momentum(U, none));
-    colouredMatrix matrix(grid);
+    redBlackMatrix matrix(grid);
     matrix.set(equation());
     correctOften(matrix);
     matrix.get(U.primitiveFieldRef());
@@ -137,7 +137,7 @@ void checkSolutions(const labelVector& nCells, const boxLayout& layout)
 }
 
 
-TEST(colouredMatrix, solvesAndRespondsToAnotherSource)
+TEST(redBlackMatrix, solvesAndRespondsToAnotherSource)
 {
     for (const label nX : {12, 9, -9})
     {
@@ -151,7 +151,7 @@ TEST(colouredMatrix, solvesAndRespondsToAnotherSource)
 }
 
 
-TEST(colouredMatrix, firstSweepStartsFromZero)
+TEST(redBlackMatrix, firstSweepStartsFromZero)
 {
     boxMesh box(labelVector(8, 7, 1), 2);
     const cartesianMesh grid(box.mesh());
@@ -165,14 +165,14 @@ TEST(colouredMatrix, firstSweepStartsFromZero)
         "fixedValue"
     );
     const tmp<fvVectorMatrix> equation(momentum(U, source));
-    colouredMatrix matrix(grid);
+    redBlackMatrix matrix(grid);
     matrix.set(equation());
     correctOften(matrix);
     matrix.startFromZero(source);
 
     // The same with a sweep of another matrix, with walls and cells at rest
     const tmp<fvVectorMatrix> atRest(momentum(rest, source));
-    colouredMatrix other(grid);
+    redBlackMatrix other(grid);
     other.set(atRest());
     other.startCorrection(other.sourceNorm());
     other.sweep(1);
@@ -186,14 +186,14 @@ TEST(colouredMatrix, firstSweepStartsFromZero)
 }
 
 
-TEST(colouredMatrix, residualBelongsToTheValuesMet)
+TEST(redBlackMatrix, residualBelongsToTheValuesMet)
 {
     boxMesh box(labelVector(10, 6, 1), 2);
     const cartesianMesh grid(box.mesh());
     const vectorField source(roughSource(box.mesh()));
     volVectorField U(velocity(box.mesh()));
     const tmp<fvVectorMatrix> equation(momentum(U, source));
-    colouredMatrix matrix(grid);
+    redBlackMatrix matrix(grid);
     matrix.set(equation());
     matrix.startCorrection(matrix.sourceNorm());
     const scalar first = matrix.sweep(1);
@@ -216,7 +216,7 @@ TEST(colouredMatrix, residualBelongsToTheValuesMet)
 
 
 // One correction comes as far as dropAtOnce() says, at any dt nu/h^2
-TEST(colouredMatrix, correctionsReachTheDropTheyPromise)
+TEST(redBlackMatrix, correctionsReachTheDropTheyPromise)
 {
     boxMesh box(labelVector(40, 40, 1), 2);
     const cartesianMesh grid(box.mesh());
@@ -230,7 +230,7 @@ TEST(colouredMatrix, correctionsReachTheDropTheyPromise)
           - fvm::laplacian(dimensionedScalar("nu", dimViscosity, 1), U)
         );
         equation.source() += source;
-        colouredMatrix matrix(grid);
+        redBlackMatrix matrix(grid);
         matrix.set(equation);
         matrix.startCorrection(matrix.sourceNorm());
         const scalar first = matrix.sweep(matrix.relaxation());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "faceReach.H"
+#include "segmentReach.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -21,7 +21,7 @@ static const scalar smallestSlope = 1e-3;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::faceReach::set
+void Foam::fsi::segmentReach::set
 (
     slab& s,
     const vector& normal,
@@ -37,14 +37,13 @@ void Foam::fsi::faceReach::set
         s.lower = min(lower*perNormal, upper*perNormal);
         s.upper = max(lower*perNormal, upper*perNormal);
         s.slopeY = -normal.y()*perNormal;
-        s.slopeZ = -normal.z()*perNormal;
     }
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::faceReach::faceReach
+Foam::fsi::segmentReach::segmentReach
 (
     const point& a,
     const vector& along,
@@ -73,23 +72,6 @@ Foam::fsi::faceReach::faceReach
         set(slabs_[0], normal, a, -w, w);
         set(slabs_[1], along, a, lower, upper);
     }
-}
-
-
-Foam::fsi::faceReach::faceReach
-(
-    const boundBox& bounds,
-    const point& a,
-    const vector& normal,
-    const scalar width
-)
-:
-    bounds_(bounds)
-{
-    const scalar w = wider*width;
-    bounds_.min() -= vector::uniform(w);
-    bounds_.max() += vector::uniform(w);
-    set(slabs_[0], normal, a, -w, w);
 }
 
 

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rules of etc/checkStyle that need all files of src at once.
+
+circles     No circle of folders: a folder that includes a header of another
+            one, over however many steps, is not included by it.
+ranks       Only the files below know of messages between ranks (Pstream).
+sizes       A class, its header and its sources together, has at most 600
+            lines.
+
+Each takes a dictionary of texts by path and yields (path, line, what).
+"""
+
+import os
+import re
+
+MAX_CLASS = 600
+
+# Files and folders that may send messages between ranks; all others call
+# their functions
+RANKS = (
+    "src/fastPoisson/lattice/",
+    "src/FSIObjects/cartesianMesh/",
+    "src/FSIObjects/output/",
+    "src/FSIObjects/population/populationIO.C",
+    "src/FSIObjects/population/sharedPrediction.C",
+)
+
+# Classes still to be cut; the list only gets shorter
+TO_BE_CUT = {
+    "bodyGroup",
+    "contact",
+    "population",
+    "viscousCoupling",
+}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
+MESSAGES = re.compile(r"\b(?:U|I|O|UI|UO|UIO)?Pstream\w*")
+
+
+def sources_of(texts):
+    """The C++ files of src."""
+    return {path: text for path, text in texts.items()
+            if path.startswith("src/") and path.endswith((".C", ".H"))}
+
+
+def includes(text):
+    """Yields (line number, name) of the headers that a text includes."""
+    for number, line in enumerate(text.split("\n"), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, os.path.basename(match.group(1))
+
+
+def folder_graph(texts):
+    """Of each folder the others that it includes, with the first place."""
+    homes = {}
+    for path in sorted(texts):
+        homes.setdefault(os.path.basename(path), os.path.dirname(path))
+    graph = {folder: {} for folder in homes.values()}
+    for path in sorted(texts):
+        here = os.path.dirname(path)
+        for number, name in includes(texts[path]):
+            beside = os.path.join(here, name) in texts
+            there = here if beside else homes.get(name, here)
+            if there != here:
+                graph.setdefault(here, {}).setdefault(
+                    there, (path, number, name))
+    return graph
+
+
+def shortest_circle(graph, start):
+    """Folders from start to where it is included again; [] if none."""
+    before, row = {}, [start]
+    while row:
+        following = []
+        for here in row:
+            for there in sorted(graph.get(here, ())):
+                if there == start:
+                    circle = [here]
+                    while circle[0] != start:
+                        circle.insert(0, before[circle[0]])
+                    return circle
+                if there not in before:
+                    before[there] = here
+                    following.append(there)
+        row = following
+    return []
+
+
+def circles(texts):
+    """No circle of folders; each shortest one is told once."""
+    graph = folder_graph(sources_of(texts))
+    told = set()
+    for start in sorted(graph):
+        circle = shortest_circle(graph, start)
+        if not circle or told & set(circle):
+            continue
+        told |= set(circle)
+        steps = [(a, graph[a][b])
+                 for a, b in zip(circle, circle[1:] + circle[:1])]
+        way = "; ".join(f"{path}:{number} includes {name}"
+                        for _, (path, number, name) in steps)
+        path, number, _ = steps[0][1]
+        names = " -> ".join(circle + circle[:1])
+        yield path, number, f"circle of folders {names}: {way}"
+
+
+def without_comments(text):
+    """C++ text with comments blanked, lines kept."""
+    return re.sub(r"//[^\n]*|/\*.*?\*/",
+                  lambda m: re.sub(r"[^\n]", " ", m.group()), text, flags=re.S)
+
+
+def ranks(texts):
+    """Messages between ranks in the files named above only."""
+    for path, text in sorted(sources_of(texts).items()):
+        if path.startswith(RANKS):
+            continue
+        for number, line in enumerate(without_comments(text).split("\n"), 1):
+            match = MESSAGES.search(line)
+            if match:
+                yield path, number, (
+                    f"{match.group()}: messages between ranks belong in the "
+                    "files that etc/houseRules.py names")
+                break
+
+
+def files_of_class(texts, header):
+    """A header, what belongs to its name, and what its SourceFiles list."""
+    base = header[:-2]
+    names = {base + ".C", base + "I.H"}
+    for listed in texts[header].split("SourceFiles")[1:2]:
+        folder = os.path.dirname(header)
+        names |= {os.path.join(folder, word)
+                  for word in listed.split("*/")[0].split()
+                  if word.endswith((".C", ".H"))}
+    return [header] + sorted(n for n in names - {header} if n in texts)
+
+
+def sizes(texts):
+    """At most so many lines per class."""
+    texts = sources_of(texts)
+    for header in sorted(p for p in texts if p.endswith(".H")):
+        base = header[:-2]
+        if base.endswith("I") and base[:-1] + ".H" in texts:
+            continue
+        files = files_of_class(texts, header)
+        length = sum(texts[path].count("\n") for path in files)
+        name = os.path.basename(base)
+        if length > MAX_CLASS and name not in TO_BE_CUT:
+            names = ", ".join(os.path.basename(path) for path in files)
+            yield header, 1, (f"{name} has {length} lines in {names} "
+                              f"(at most {MAX_CLASS})")
+        elif length <= MAX_CLASS and name in TO_BE_CUT:
+            yield header, 1, (f"{name} is cut: take it from TO_BE_CUT in "
+                              "etc/houseRules.py")
+
+
+def check(texts):
+    """All of them."""
+    for rule in (circles, ranks, sizes):
+        yield from rule(texts)
