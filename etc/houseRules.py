@@ -28,7 +28,6 @@ RANKS = (
 # Classes still to be cut; the list only gets shorter
 TO_BE_CUT = {
     "population",
-    "shapeTemplate",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')

@@ -165,7 +165,7 @@ static void calibrateSpatial
         strainDomains::kind::element
     );
     const labelListList whole(1, identity(mesh.elements.size()));
-    for (label iteration = 0; iteration < 10; ++iteration)
+    for (label iteration = 0; iteration < 30; ++iteration)
     {
         const Eigen::MatrixXd S = patchTest::compliances
         (

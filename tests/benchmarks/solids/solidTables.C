@@ -96,7 +96,7 @@ Eigen::MatrixXd step
     const scalar side = 0.1;
     const auto shape = solidOf
     (
-        uneven(box(4, 4, 12, side), side, 0.15), side, material, admm
+        uneven(centredBox(4, 4, 12, side), side, 0.1), side, material, admm
     );
     copies body(*shape);
     body.deform(Eigen::Vector3d(1.1, 1.05, 0.9).asDiagonal());

@@ -47,7 +47,7 @@ TEST(solidSprings, uniformStrainHasVanGeldersEnergy)
     // has, (E/2) sum V_t (n.e.n)^2
     const auto shape = solidOf
     (
-        unevenCube(3, side),
+        unevenCentredCube(3, side),
         side,
         springs + "areaStiffness 0; calibration vanGelder;"
     );
@@ -84,7 +84,7 @@ TEST(solidSprings, patchTestFindsTheModuliOfElements)
     // modulus under equal stresses is kappa/2
     const auto shape = solidOf
     (
-        unevenCube(3, side),
+        unevenCentredCube(3, side),
         side,
         springs + "areaStiffness 1e5; strain element; calibration vanGelder;"
     );
@@ -109,7 +109,7 @@ TEST(solidSprings, bodiesShowYoungsModulusInAllDirections)
     {
         const auto shape = solidOf
         (
-            unevenCube(6, side, 0.25), side, springs + area
+            unevenCentredCube(5, side), side, springs + area
         );
         const Eigen::MatrixXd S = compliance(*shape);
         scalar least = GREAT, most = 0;
@@ -141,7 +141,7 @@ TEST(solidSprings, uncalibratedBodiesAreSofter)
 {
     const auto shape = solidOf
     (
-        unevenCube(6, side, 0.25),
+        unevenCentredCube(5, side),
         side,
         springs + "areaStiffness 0; calibration vanGelder;"
     );
@@ -169,7 +169,7 @@ TEST(solidSprings, lawsCreepAndRelax)
     const auto strainAfter = [&](const string& law)
     {
         const auto shape =
-            solidOf(unevenCube(3, side), side, light + law, admm);
+            solidOf(unevenCentredCube(3, side), side, light + law, admm);
         copies body(*shape);
         body.run(traction(*shape, sigma), tau/nSteps, nSteps);
         return meanStrain(body)(0, 0);
