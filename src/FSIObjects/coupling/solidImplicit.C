@@ -4,8 +4,8 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "filmPressure.H"
+#include "objectResponse.H"
 #include "openLaplacian.H"
-#include "rigidForce.H"
 #include "sharedPrediction.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -32,9 +32,10 @@ Foam::fsi::solidImplicit::solidImplicit
     couplingModel(system, timer, dict),
     viscous_(system),
     term_(system),
-    conductance_(system)
+    conductance_(system),
+    passes_(dict)
 {
-    checkKeys(dict, {"type"});
+    checkKeys(dict, {"type", "passes", "passTolerance"});
 }
 
 
@@ -53,42 +54,12 @@ void Foam::fsi::solidImplicit::pressureForce
 }
 
 
-void Foam::fsi::solidImplicit::addRigid
-(
-    const vectorField& nodal,
-    groupNodal& force
-) const
+void Foam::fsi::solidImplicit::setGradient()
 {
-    groupNodal boundary;
-    system_.objects.layout().toBoundary(nodal, boundary);
-    forAll(force, groupi)
-    {
-        addRigidForce
-        (
-            system_.objects.groups()[groupi], boundary[groupi], force[groupi]
-        );
-    }
-}
-
-
-void Foam::fsi::solidImplicit::addResponse
-(
-    const groupNodal& force,
-    groupNodal& velocity
-) const
-{
-    forAll(force, groupi)
-    {
-        if (force[groupi].size())
-        {
-            Eigen::MatrixXd v;
-            system_.objects.groups()[groupi].response().respond
-            (
-                force[groupi], v
-            );
-            velocity[groupi] += v;
-        }
-    }
+    gradient_ = system_.fluid.openGradient(oldPressure_());
+    system_.walls.gradientForce(gradient_(), gradientForce_);
+    gradientForce_ *= system_.fluidDensity;
+    system_.fluid.extendGradient(gradient_.ref());
 }
 
 
@@ -106,9 +77,9 @@ void Foam::fsi::solidImplicit::predict
             system_.objects.groups()[groupi].splitLoad(load[groupi]);
         load[groupi] += force[groupi];
     }
-    addRigid(gradientForce_, load);
+    addRigidForce(system_, gradientForce_, load);
     predictShared(system_.objects, time, system_.deltaT(), load, predicted_);
-    addResponse(rest, predicted_);
+    addResponse(system_.objects, rest, predicted_);
     constrain(predicted_);
 }
 
@@ -139,12 +110,10 @@ void Foam::fsi::solidImplicit::begin
             p
         )
     );
+    passes_.begin();
     volScalarField& last = oldPressure_.ref();
     fillFilmCells(system_.geometry, last);
-    gradient_ = system_.fluid.openGradient(last);
-    system_.walls.gradientForce(gradient_(), gradientForce_);
-    gradientForce_ *= system_.fluidDensity;
-    system_.fluid.extendGradient(gradient_.ref());
+    setGradient();
 
     vectorField nodal;
     system_.walls.transpose(last.primitiveField(), nodal);
@@ -195,7 +164,7 @@ void Foam::fsi::solidImplicit::solvePressure
     // Velocities of all nodes with the increment of the pressure
     groupNodal force;
     pressureForce(system_.walls.atWalls(p) - last, force);
-    addResponse(force, velocity_.change());
+    addResponse(system_.objects, force, velocity_.change());
 }
 
 
@@ -204,22 +173,61 @@ void Foam::fsi::solidImplicit::correctVelocity
     volVectorField& U,
     const volVectorField& last,
     const volScalarField& p,
-    const scalar
+    const scalar rAU
 )
 {
     const tmp<volVectorField> tgradient(system_.fluid.openGradient(p));
     const vectorField& gradient = tgradient().primitiveField();
     const boolList& fluid = system_.geometry.fluidCell();
     const scalarField& V = U.mesh().V();
+    vectorField change(U.size(), Zero);
     vectorField source(U.size(), Zero);
     forAll(source, celli)
     {
         if (fluid[celli])
         {
-            source[celli] = V[celli]*(last[celli] - gradient[celli]);
+            change[celli] = last[celli] - gradient[celli];
+            source[celli] = V[celli]*change[celli];
         }
     }
+    const vectorField before(U.primitiveField());
     viscous_.addResponse(source, U);
+    change *= rAU;
+    passes_.measure(fluid, before, U.primitiveField(), change);
+}
+
+
+bool Foam::fsi::solidImplicit::again(volScalarField& p, const volVectorField&)
+{
+    if (!passes_.more())
+    {
+        Info<< "Passes: " << passes_.done() << ", splitting error: "
+            << passes_.error() << endl;
+        return false;
+    }
+
+    // The objects answer to the change of the load as in (5.9)
+    volScalarField& start = oldPressure_.ref();
+    const scalarField last(system_.walls.atWalls(start.primitiveField()));
+    const vectorField lastForce(gradientForce_);
+    p.primitiveFieldRef() =
+        passes_.next(start.primitiveField(), p.primitiveField());
+    p.correctBoundaryConditions();
+    start.primitiveFieldRef() = p.primitiveField();
+    start.correctBoundaryConditions();
+    setGradient();
+
+    groupNodal load;
+    pressureForce
+    (
+        system_.walls.atWalls(start.primitiveField()) - last,
+        load
+    );
+    addRigidForce(system_, gradientForce_ - lastForce, load);
+    addResponse(system_.objects, load, predicted_);
+    constrain(predicted_);
+    velocity_.change() = predicted_;
+    return true;
 }
 
 

@@ -136,7 +136,7 @@ void Foam::fsi::weakCoupling::solvePressure
 
 bool Foam::fsi::weakCoupling::again
 (
-    const volScalarField& p,
+    volScalarField& p,
     const volVectorField& U
 )
 {
