@@ -226,7 +226,9 @@ void Foam::fsi::populationCheck::checkSurfaces
             found.notFinite.append(id);
             continue;
         }
-        if (objects.free(objecti) && isOutside(surfaces.bounds(objecti)))
+        const bool isFree =
+            objects.groups()[objects.objectGroup(objecti)].movesFreely();
+        if (isFree && isOutside(surfaces.bounds(objecti)))
         {
             found.outside.append(id);
         }

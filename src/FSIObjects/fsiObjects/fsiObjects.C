@@ -181,7 +181,7 @@ void Foam::fsi::fsiObjects::startStep
     system_.driving->update(U);
 
     fsiSystem::groupNodal force;
-    system_.objects.zeroGroups(force);
+    system_.objects.layout().zero(force);
     system_.addBodyForce(force);
     if (coupling_->hasFluid())
     {

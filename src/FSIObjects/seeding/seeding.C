@@ -2,6 +2,7 @@
 
 #include "seeding.H"
 #include "dictionaryCheck.H"
+#include "nameCheck.H"
 #include "placement.H"
 #include "shapeCheck.H"
 
@@ -21,6 +22,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
                 << dict.name() << " must be the dictionary of a shape"
                 << exit(FatalIOError);
         }
+        checkName(dict, e.keyword());
         addShape(e.dict());
 
         const shapeTemplate& shape = objects_.groups().last().shape();
@@ -33,7 +35,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
             )
         );
         names.append(shape.name());
-        prescribed.append(!objects_.groups().last().free());
+        prescribed.append(!objects_.groups().last().movesFreely());
     }
     space_.reset
     (
@@ -210,7 +212,7 @@ void Foam::fsi::seeding::report(Ostream& os) const
             << shape.nNodes() << " nodes (" << shape.nBoundaryNodes()
             << " on the boundary), " << size << shape.referenceVolume()
             << unit << ", mass " << shape.mass() << " kg, "
-            << (group.free() ? "free" : "prescribed motion")
+            << (group.movesFreely() ? "free" : "prescribed motion")
             << fraction << ofShape/domain_.size() << nl;
     }
     os  << "    all: " << objects_.size() << " objects, "

@@ -4,7 +4,7 @@
 #include "shape.H"
 #include "surfaceTools.H"
 
-#include <exception>
+#include <stdexcept>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -29,6 +29,29 @@ static void failMesh
         << exit(FatalIOError);
 }
 
+
+//- Fatal for a shape of more nodes than a computer holds
+static void checkSize
+(
+    const dictionary& dict,
+    const shape& body,
+    const scalar nodeSpacing
+)
+{
+    const vector cells(body.bounds().span()/nodeSpacing);
+    const scalar nodes = body.volume()/pow3(nodeSpacing);
+    if (nodes > 1e7 || cmptMax(cells) > 5000)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'type' " << dict.get<word>("type") << " in dictionary "
+            << dict.name() << ": the shape is " << body.bounds().span()
+            << " m large, " << cells << " times the distance of nodes, "
+            << nodeSpacing << " m" << nl
+            << "Lengths are in metres: is it in another unit, as millimetres"
+            << " (entry 'scale' of a surface, 1e-3)?" << exit(FatalIOError);
+    }
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -45,6 +68,10 @@ Foam::fsi::shapeMesh Foam::fsi::newShapeMesh
 )
 {
     const autoPtr<shape> body(shape::New(shapeDict, nDims));
+    if (nDims == 3)
+    {
+        checkSize(shapeDict, *body, nodeSpacing);
+    }
     shapeMesh result;
     try
     {

@@ -2,6 +2,7 @@
 
 #include "planarShape.H"
 #include "mathematicalConstants.H"
+#include "outlineThickness.H"
 #include "outlineTools.H"
 #include "triangulation.H"
 #include "unitConversion.H"
@@ -86,7 +87,7 @@ Foam::scalar Foam::fsi::planarShape::minimumThickness() const
 {
     // Three hundred nodes around the body show any neck worth meshing
     const pointField fine(outlineTools::counterClockwise(curve()));
-    return outlineTools::minimumThickness
+    return outlineThickness::smallest
     (
         outlineTools::resample
         (

@@ -5,7 +5,11 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::admmControls::admmControls(const dictionary& dict)
+Foam::fsi::admmControls::admmControls
+(
+    const dictionary& dict,
+    const direction nDims
+)
 :
     quasiNewton
     (
@@ -17,8 +21,14 @@ Foam::fsi::admmControls::admmControls(const dictionary& dict)
         readBetween(dict, "iterations", quasiNewton ? 8 : 10, 1, 100000)
     ),
     tolerance(readNonNegative(dict, "tolerance", 0)),
-    springWeight(readPositive(dict, "springWeight", quasiNewton ? 0.5 : 1)),
-    areaWeight(readPositive(dict, "areaWeight", quasiNewton ? 0.25 : 0.5)),
+    springWeight
+    (
+        readPositive(dict, "springWeight", quasiNewton ? 1.0/nDims : 1)
+    ),
+    areaWeight
+    (
+        readPositive(dict, "areaWeight", quasiNewton ? 0.5/nDims : 0.5)
+    ),
     conserving
     (
         readChoice

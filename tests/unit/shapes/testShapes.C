@@ -105,6 +105,52 @@ TEST(shape, minimumThicknessIsThatOfTheNeck)
 }
 
 
+TEST(shape, neckBetweenTwoNotchesIsThin)
+{
+    const auto thickness = [](const string& points)
+    {
+        const fileName csv(fileOf("neck.csv", points));
+        const scalar result =
+            shapeOf("type polygon; file \"neck.csv\";")->minimumThickness();
+        rm(csv);
+        return result;
+    };
+
+    // A bow tie; its neck as thin as one likes
+    for (const string half : {"1e-3", "1e-12"})
+    {
+        const string tie
+        (
+            "-0.2,-0.1\n0,-" + half + "\n0.2,-0.1\n0.2,0.1\n0," + half
+          + "\n-0.2,0.1\n"
+        );
+        const scalar width = 2*readScalar(half);
+        EXPECT_NEAR(thickness(tie), width, 1e-3*width);
+    }
+
+    // Notches that are not across each other
+    EXPECT_NEAR
+    (
+        thickness("-2,-1\n0,0\n2,-1\n2,1\n0.3,0.4\n-2,1\n"),
+        0.5,
+        1e-9
+    );
+
+    // Below a slit, in the arms of an L, but not in a corner
+    EXPECT_NEAR
+    (
+        thickness("0,0\n1,0\n1,1\n0.51,1\n0.5,0.2\n0.49,1\n0,1\n"),
+        0.2,
+        1e-9
+    );
+    EXPECT_NEAR
+    (
+        thickness("0,0\n1,0\n1,0.2\n0.3,0.2\n0.3,1\n0,1\n"), 0.2, 1e-9
+    );
+    EXPECT_GT(thickness("0,0\n1,0\n0,0.4\n"), 0.2);
+}
+
+
 TEST(shape, polygonKeepsItsCornersAndIsTurnedRound)
 {
     // Clockwise, closed twice, a point repeated, with comments and a heading

@@ -233,6 +233,17 @@ TEST(badShape, solidsAreRefusedWithFileAndKey)
     expectError("type torus; radius 1; tubeRadius 1;", {"tubeRadius"}, 3);
     expectError("type star; radius 1; points 1;", {"points"}, 3);
     expectError("type biconcave;", {"radius"}, 3);
+
+    // A sphere in millimetres
+    try
+    {
+        meshOf("type sphere; radius 50;", 2e-3);
+        ADD_FAILURE();
+    }
+    catch (const Foam::IOerror& error)
+    {
+        EXPECT_NE(error.message().find("millimetres"), string::npos);
+    }
 }
 
 
