@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viscousCoupling.H"
+#include "shortWaveStress.H"
 #include "shortWaves.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -10,7 +10,7 @@ namespace Foam
 namespace fsi
 {
 
-//- For all four nodes of each free elastic object and their friction:
+//- For all four nodes of each object that has free waves, and their friction:
 //  action(object, four, friction)
 template<class Action>
 static void forShortWaves(const fsiSystem& system, const Action& action)
@@ -25,7 +25,7 @@ static void forShortWaves(const fsiSystem& system, const Action& action)
     {
         const bodyGroup& group = system.objects.groups()[groupi];
         const shapeTemplate& shape = group.shape();
-        if (!group.free() || shape.membrane())
+        if (!group.hasFreeWaves())
         {
             continue;
         }

@@ -100,11 +100,12 @@ void Foam::fsi::contact::setStretches
 Foam::fsi::contactProblem Foam::fsi::contact::problem
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const scalar dt
 ) const
 {
-    return {surfaces, bodies, found_, film_(), scales_.range, dt};
+    return {surfaces, velocities, bodies, found_, film_(), scales_.range, dt};
 }
 
 
@@ -191,7 +192,10 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
     }
     count(surfaces);
     statistics_.potentialEnergy =
-        law_->potentialEnergy(problem(surfaces, bodies, GREAT));
+        law_->potentialEnergy
+        (
+            problem(surfaces, surfaces.velocities(), bodies, GREAT)
+        );
     return statistics_;
 }
 
@@ -199,6 +203,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
 const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
     const UList<medialAxisPoint>& medialAxis,
@@ -211,7 +216,10 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
-    law_->addForces(problem(surfaces, bodies, dt), force, statistics_);
+    law_->addForces
+    (
+        problem(surfaces, velocities, bodies, dt), force, statistics_
+    );
     return statistics_;
 }
 
@@ -219,6 +227,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 Foam::label Foam::fsi::contact::limit
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
     const scalar dt,
@@ -228,10 +237,15 @@ Foam::label Foam::fsi::contact::limit
     const bool known = !needsMedialAxis() && searched(surfaces);
     return defence_.limit
     (
-        surfaces, bodies, walls, dt, known ? &found_ : nullptr, force
+        surfaces,
+        velocities,
+        bodies,
+        walls,
+        dt,
+        known ? &found_ : nullptr,
+        force
     );
 }
-
 
 
 // ************************************************************************* //

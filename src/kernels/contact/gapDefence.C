@@ -63,12 +63,12 @@ Foam::fsi::gapDefence::gapDefence
 bool Foam::fsi::gapDefence::mayClose
 (
     const surfaceSet& surfaces,
+    const vectorField& v,
     const contactPairs& found,
     const scalar dt
 ) const
 {
     // Mean velocity of each object, and how far its nodes' are from it
-    const vectorField& v = surfaces.velocities();
     vectorField mean(surfaces.size(), Zero);
     scalarField spread(surfaces.size(), Zero);
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
@@ -108,6 +108,7 @@ bool Foam::fsi::gapDefence::mayClose
 Foam::label Foam::fsi::gapDefence::limit
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
     const scalar dt,
@@ -117,14 +118,14 @@ Foam::label Foam::fsi::gapDefence::limit
 {
     force.setSize(surfaces.points().size());
     force = Zero;
-    if (found && !mayClose(surfaces, *found, dt))
+    if (found && !mayClose(surfaces, velocities, *found, dt))
     {
         return 0;
     }
 
     // Pairs where the step would put the surfaces
     moved_ = surfaces;
-    moved_.points() += dt*surfaces.velocities();
+    moved_.points() += dt*velocities;
     finder_.find
     (
         moved_,
@@ -147,7 +148,7 @@ Foam::label Foam::fsi::gapDefence::limit
     // Their gaps at the start of the step, along the same normals
     const contactProblem problem
     {
-        moved_, bodies, closing_, noFilm_, minimumGap_, dt
+        moved_, velocities, bodies, closing_, noFilm_, minimumGap_, dt
     };
     for (contactPair& pair : closing_.pairs)
     {

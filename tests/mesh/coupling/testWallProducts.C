@@ -82,7 +82,7 @@ struct linkedBodies
 {
     const scalar viscosity = 0.3;
     const scalar density = 7;
-    colouredMatrix matrix;
+    redBlackMatrix matrix;
     linkOperator operation;
     scalarField diagonal;
     vectorField source;
@@ -166,7 +166,7 @@ TEST(linkOperator, correctsTheLinks)
     forBoxes([](const direction nDims, const direction split)
     {
         linkedBodies bodies(nDims, split);
-        colouredMatrix& matrix = bodies.matrix;
+        redBlackMatrix& matrix = bodies.matrix;
         bodies.operation.setSources(bodies.v);
         const scalar norm = matrix.sourceNorm();
         matrix.startCorrection(norm);

@@ -222,7 +222,15 @@ TEST(ContactRigid, limitStopsTheApproachAtTheMinimumGap)
     world.update();
     const scalar dt = 0.2;
     const label n =
-        law.limit(world.surfaces, world.bodies, world.walls, dt, world.force);
+        law.limit
+        (
+            world.surfaces,
+            world.surfaces.velocities(),
+            world.bodies,
+            world.walls,
+            dt,
+            world.force
+        );
     ASSERT_GT(n, 0);
     scalar onFirst = 0;
     for (label i = 0; i < 48; ++i)

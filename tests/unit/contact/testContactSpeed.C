@@ -83,7 +83,7 @@ struct manySpheres
         const clock_t found = clock();
         const label sweeps = law.calculate
         (
-            surfaces, bodies, walls, axis, dt, force
+            surfaces, surfaces.velocities(), bodies, walls, axis, dt, force
         ).sweeps;
         const clock_t end = clock();
         std::cout

@@ -42,7 +42,7 @@ TEST(ContactLaw, thesisCancelStopsCollidingNodes)
     world.bodies.internalForces() = vector(1, 2, 0);
     law.calculate
     (
-        world.surfaces, world.bodies, world.walls,
+        world.surfaces, world.surfaces.velocities(), world.bodies, world.walls,
         UList<medialAxisPoint>(), dt, world.force
     );
     label nStopped = 0;

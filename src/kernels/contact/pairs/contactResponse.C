@@ -196,6 +196,7 @@ void Foam::fsi::contactResponse::addModes
 void Foam::fsi::contactResponse::reset
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactPair>& pairs
 )
@@ -203,7 +204,7 @@ void Foam::fsi::contactResponse::reset
     surfaces_ = &surfaces;
     bodies_ = &bodies;
     pairs_ = pairs.cdata();
-    velocities_ = surfaces.velocities();
+    velocities_ = velocities;
     amplitudes_.setSize(surfaces.size());
     amplitudes_ = modeValues(0.0);
 
