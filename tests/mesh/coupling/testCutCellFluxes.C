@@ -91,11 +91,12 @@ scalar largestSource
 {
     surfacesInBox body(bodyInBox(nDims, split));
     const point centre(centreOf(nDims));
+    const List<point> centres({centre});
     body.move
     (
         nDims == 2
-      ? discSurfaces(pointField(1, centre), radius, 96)
-      : sphereSurfaces(pointField(1, centre), radius, 4)
+      ? discSurfaces(centres, radius, 96)
+      : sphereSurfaces(centres, radius, 4)
     );
     const fvMesh& mesh = body.mesh();
     volVectorField U
