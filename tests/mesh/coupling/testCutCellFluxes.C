@@ -94,8 +94,8 @@ scalar largestSource
     body.move
     (
         nDims == 2
-      ? discSurfaces({centre}, radius, 96)
-      : sphereSurfaces({centre}, radius, 4)
+      ? discSurfaces(pointField(1, centre), radius, 96)
+      : sphereSurfaces(pointField(1, centre), radius, 4)
     );
     const fvMesh& mesh = body.mesh();
     volVectorField U
