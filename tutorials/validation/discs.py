@@ -13,7 +13,8 @@ def tank(name, cells, density, viscosity, centres, material="E 1e5;",
     n = 8*cells
     return Case(
         name, box=(0, 0, 2, 6), cells=(n, 3*n), viscosity=viscosity,
-        gravity="(0 -981 0)", shapes=disc(0.125, f"density {density}; {material}"),
+        gravity="(0 -981 0)",
+        shapes=disc(0.125, f"density {density}; {material}"),
         placements=placed("disc", *centres), **controls)
 
 
