@@ -26,9 +26,11 @@ import settlingSphere
 import shearBox
 import softDisc
 import suspension
+import timeStep
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
-           shearBox, settlingSphere, rigidStiff, oscillatingSphere, suspension)
+           shearBox, settlingSphere, rigidStiff, oscillatingSphere, suspension,
+           timeStep)
 
 
 def collected(name):
