@@ -91,12 +91,11 @@ scalar largestSource
 {
     surfacesInBox body(bodyInBox(nDims, split));
     const point centre(centreOf(nDims));
-    const List<point> centres({centre});
+    const List<point> one({centre});
     body.move
     (
         nDims == 2
-      ? discSurfaces(centres, radius, 96)
-      : sphereSurfaces(centres, radius, 4)
+      ? discSurfaces(one, radius, 96) : sphereSurfaces(one, radius, 4)
     );
     const fvMesh& mesh = body.mesh();
     volVectorField U
