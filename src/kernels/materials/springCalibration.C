@@ -145,31 +145,24 @@ static void calibratePlanar
 }
 
 
-//- 3D: the same for springs without volume terms, which are isotropic within
-//  some per cent as they are
+//- 3D: the same, for some iterations or until E is shown within a part of it
 static void calibrateSpatial
 (
     const shapeMesh& mesh,
     const edgeList& springs,
+    const volumeTerm& elementTerm,
     const scalar youngsModulus,
+    const label nIterations,
+    const scalar tolerance,
     scalarField& constants
 )
 {
-    const volumeTerm none
-    (
-        mesh,
-        1,
-        0,
-        0,
-        strainDomains::kind::element,
-        strainDomains::kind::element
-    );
     const labelListList whole(1, identity(mesh.elements.size()));
-    for (label iteration = 0; iteration < 30; ++iteration)
+    for (label iteration = 0; iteration < nIterations; ++iteration)
     {
         const Eigen::MatrixXd S = patchTest::compliances
         (
-            mesh, springs, constants, none, 1, whole
+            mesh, springs, constants, elementTerm, 1, whole
         )[0];
 
         scalar largest = 0;
@@ -181,10 +174,34 @@ static void calibrateSpatial
             constants[springi] *= ratio;
             largest = max(largest, mag(ratio - 1));
         }
-        if (largest < 1e-3)
+        if (largest < tolerance)
         {
             break;
         }
+    }
+}
+
+
+//- 3D: springs alone, whose matrix is the cheaper one, then with volume terms
+static void calibrateSpatial
+(
+    const shapeMesh& mesh,
+    const edgeList& springs,
+    const volumeTerm& elementTerm,
+    const scalar youngsModulus,
+    scalarField& constants
+)
+{
+    const auto element = strainDomains::kind::element;
+    const volumeTerm none(mesh, 1, 0, 0, element, element);
+    calibrateSpatial(mesh, springs, none, youngsModulus, 10, 1e-3, constants);
+    if (elementTerm.stiffness() > 0)
+    {
+        constants *= regularFactor(youngsModulus, elementTerm.stiffness(), 3);
+        calibrateSpatial
+        (
+            mesh, springs, elementTerm, youngsModulus, 4, 5e-3, constants
+        );
     }
 }
 
@@ -258,17 +275,19 @@ Foam::scalarField Foam::fsi::springCalibration::calibrated
     const scalar youngsModulus
 )
 {
-    const label nDims = mesh.nDims();
-    const scalar factor =
-        regularFactor(youngsModulus, elementTerm.stiffness(), nDims);
     scalarField constants(vanGelder(mesh, springs, elementTerm.volumes()));
-    if (nDims == 3)
+    if (mesh.nDims() == 3)
     {
         constants *= youngsModulus;
-        calibrateSpatial(mesh, springs, youngsModulus, constants);
-        return factor*constants;
+        calibrateSpatial
+        (
+            mesh, springs, elementTerm, youngsModulus, constants
+        );
+        return constants;
     }
-    constants *= factor*youngsModulus;
+    constants *=
+        regularFactor(youngsModulus, elementTerm.stiffness(), 2)
+       *youngsModulus;
     calibratePlanar
     (
         mesh, springs, elementTerm, thickness, youngsModulus, constants

@@ -104,7 +104,7 @@ TEST(solidElements, restHasNoStressAndTurnsNoEnergy)
 {
     for (const string& material : materials)
     {
-        const auto shape = solidOf(unevenCube(3, 0.1), 0.1, material);
+        const auto shape = solidOf(unevenCentredCube(3, 0.1), 0.1, material);
         copies body(*shape);
         Eigen::MatrixXd force = body.none();
         EXPECT_EQ(body.energy(&force), 0);
@@ -132,7 +132,7 @@ TEST(solidElements, forceIsTheGradientOfTheEnergy)
 {
     for (const string& material : materials)
     {
-        const auto shape = solidOf(unevenCube(2, 0.1), 0.1, material);
+        const auto shape = solidOf(unevenCentredCube(2, 0.1), 0.1, material);
         copies body(*shape);
         crumple(body, 0.02);
         Eigen::MatrixXd force = body.none();
