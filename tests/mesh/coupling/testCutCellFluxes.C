@@ -38,6 +38,14 @@ point centreOf(const direction nDims)
     return nDims == 2 ? point(15.7, 10.2, 0) : point(11.7, 10.2, 8.9);
 }
 
+surfaceSet bodyAt(const List<point>& centres, const direction nDims)
+{
+    return
+        nDims == 2
+      ? discSurfaces(centres, radius, 96)
+      : sphereSurfaces(centres, radius, 4);
+}
+
 //- Velocity at a place relative to the body's centre
 typedef vector (*flow)(const vector& r);
 
@@ -91,13 +99,7 @@ scalar largestSource
 {
     surfacesInBox body(bodyInBox(nDims, split));
     const point centre(centreOf(nDims));
-    const List<point> centres({centre});
-    body.move
-    (
-        nDims == 2
-      ? discSurfaces(centres, radius, 96)
-      : sphereSurfaces(centres, radius, 4)
-    );
+    body.move(bodyAt(List<point>({centre}), nDims));
     const fvMesh& mesh = body.mesh();
     volVectorField U
     (
