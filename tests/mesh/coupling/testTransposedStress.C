@@ -104,26 +104,32 @@ scalarField facesOfNodes(const surfacesInBox& discs)
 }
 
 
-//- The largest sum of t^2 over the wall faces, of the modes on an object
-scalar driveOfLinks(const surfacesInBox& discs, const label objecti)
+//- Sums of t^2 over the wall faces, of the modes on an object
+scalarField drivesOfLinks(const surfacesInBox& bodies, const label objecti)
 {
-    const scalarField faces(facesOfNodes(discs));
-    const labelList& start = discs.surfaces().pointStart();
-    scalar largest = 0;
-    for
+    const scalarField faces(facesOfNodes(bodies));
+    const labelList& start = bodies.surfaces().pointStart();
+    const std::vector<transposedMode> modes
     (
-        const transposedMode& mode
-      : transposedModes(discs.surfaces(), discs.geometry(), viscosity, true)
-    )
+        transposedModes(bodies.surfaces(), bodies.geometry(), viscosity, true)
+    );
+    scalarField drives(modes.size(), Zero);
+    forAll(drives, k)
     {
-        scalar drive = 0;
         for (label i = start[objecti]; i < start[objecti + 1]; ++i)
         {
-            drive += faces[i] > 0 ? magSqr(mode.vectors[i])/faces[i] : 0;
+            drives[k] +=
+                faces[i] > 0 ? magSqr(modes[k].vectors[i])/faces[i] : 0;
         }
-        largest = max(largest, drive);
     }
-    return largest;
+    return drives;
+}
+
+
+//- The largest of them
+scalar driveOfLinks(const surfacesInBox& bodies, const label objecti)
+{
+    return max(drivesOfLinks(bodies, objecti));
 }
 
 } // End anonymous namespace
@@ -244,14 +250,22 @@ TEST(TransposedStress, powerAndTorqueInSpaceAreThoseOfTheExactStress)
             EXPECT_LT(mag(turning.torque + 2*strength*spin), 1e-9*strength);
         }
 
-        // A cap of one sphere looks out between others
-        EXPECT_LT(driveOfLinks(spheres, 0), 0.15*viscosity);
+        // 3/2 faces per h^2 of a sphere: mu V 3/(6 pi R^4)
+        EXPECT_NEAR(driveOfLinks(spheres, 0)/viscosity, 2/(3*4.3), 0.01);
+
+        // A cap of one sphere looks out between others: as much as the sum of
+        // E^2 over the strains, 5/3, of the least that half of h allows, 3/4
         const List<point> centres
         ({
             centre, centre + vector(1, 1.5, 0), centre - vector(0, 1.5, 1)
         });
         spheres.move(sphereSurfaces(centres, 4.3, 3));
-        EXPECT_NEAR(driveOfLinks(spheres, 0), 0.5*viscosity, 1e-9);
+        const scalarField drives(drivesOfLinks(spheres, 0));
+        const label nStrains = drives.size() - nRotations(3);
+        EXPECT_EQ(nStrains, 5);
+        EXPECT_LE(max(drives), 0.5*viscosity);
+        const SubList<scalar> strains(drives, nStrains, nRotations(3));
+        EXPECT_NEAR(sum(strains), 1.25*viscosity, 1e-9);
     }
 }
 
