@@ -23,30 +23,12 @@ RANKS = (
     "src/FSIObjects/output/",
     "src/FSIObjects/population/populationIO.C",
     "src/FSIObjects/population/sharedPrediction.C",
-    # Still to be moved behind functions of these
-    "src/fastPoisson/multigrid/",
-    "src/fastPoisson/transforms/",
-    "src/FSIObjects/fsiObjects/fsiObjectsOutput.C",
-    "src/FSIObjects/momentum/colouredMatrixSweep.C",
-    "src/FSIObjects/momentum/viscousCoupling.C",
-    "src/FSIObjects/system/objectContact.C",
-    "src/FSIObjects/thesis/nearestCellLoad.C",
-    "src/FSIObjects/wallOperator/wallOperatorProducts.C",
 )
 
 # Classes still to be cut; the list only gets shorter
 TO_BE_CUT = {
-    "admmSolver",
-    "bodyGroup",
-    "cartesianMultigrid",
-    "colouredMatrix",
-    "contact",
-    "immersedFluid",
-    "interfaceGeometry",
     "population",
     "shapeTemplate",
-    "stencil",
-    "viscousCoupling",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')

@@ -1,12 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "immersedFluid.H"
+#include "immersedFlux.H"
+#include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
 #include "swapCoupledCells.H"
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+const Foam::Enum<Foam::fsi::immersedFlux::history>
+Foam::fsi::immersedFlux::historyNames
+({
+    {history::fading, "fading"},
+    {history::limited, "limited"},
+    {history::full, "full"},
+    {history::none, "none"}
+});
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalarField Foam::fsi::immersedFluid::fadingInStep
+Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
 (
     const volVectorField& U,
     const scalar viscosity
@@ -25,7 +38,7 @@ Foam::scalarField Foam::fsi::immersedFluid::fadingInStep
 }
 
 
-void Foam::fsi::immersedFluid::fadeGradient
+void Foam::fsi::immersedFlux::fadeGradient
 (
     const volVectorField& gradient,
     const volScalarField& p,
@@ -67,7 +80,7 @@ void Foam::fsi::immersedFluid::fadeGradient
 }
 
 
-Foam::scalar Foam::fsi::immersedFluid::kept
+Foam::scalar Foam::fsi::immersedFlux::kept
 (
     const scalar velocity,
     const scalar interpolated,
@@ -88,9 +101,46 @@ Foam::scalar Foam::fsi::immersedFluid::kept
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::immersedFlux::immersedFlux
+(
+    const interfaceGeometry& geometry,
+    const faceVelocities& faces,
+    const dictionary& dict
+)
+:
+    geometry_(geometry),
+    faces_(faces),
+    faceHistory_
+    (
+        IOobject
+        (
+            "faceHistory",
+            geometry.grid().mesh().time().timeName(),
+            geometry.grid().mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        geometry.grid().mesh(),
+        dimensionedScalar(dimVelocity, Zero)
+    ),
+    history_
+    (
+        historyNames
+        [
+            readChoice(dict, "faceHistory", "fading", historyNames.names())
+        ]
+    )
+{
+    // Files of earlier versions do not say so
+    faceHistory_.setOriented();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
 (
     const volVectorField& U,
     const volVectorField& gradient,
@@ -129,7 +179,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::faceFlux
 }
 
 
-void Foam::fsi::immersedFluid::storeFaceVelocity
+void Foam::fsi::immersedFlux::storeFaceVelocity
 (
     const surfaceScalarField& phi,
     const volVectorField& U,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "immersedFluid.H"
+#include "immersedGradient.H"
 #include "fetchAhead.H"
 #include "gradientSums.H"
 #include "openLaplacian.H"
@@ -28,7 +28,7 @@ void Foam::fsi::gradientWeights::divide
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::immersedFluid::addCoupledGradients(solidMeans& means) const
+void Foam::fsi::immersedGradient::addCoupledGradients(solidMeans& means) const
 {
     const boolList& fluid = geometry_.fluidCell();
     const fvMesh& mesh = means.gradient.mesh();
@@ -54,7 +54,7 @@ void Foam::fsi::immersedFluid::addCoupledGradients(solidMeans& means) const
 }
 
 
-void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
+void Foam::fsi::immersedGradient::extendGradient(volVectorField& gradient) const
 {
     const boolList& fluid = geometry_.fluidCell();
     const boolList& active = geometry_.activeCell();
@@ -91,7 +91,7 @@ void Foam::fsi::immersedFluid::extendGradient(volVectorField& gradient) const
 }
 
 
-void Foam::fsi::immersedFluid::sumFaceGradients
+void Foam::fsi::immersedGradient::sumFaceGradients
 (
     const volScalarField& p,
     vectorField& sum
@@ -115,7 +115,7 @@ void Foam::fsi::immersedFluid::sumFaceGradients
 }
 
 
-void Foam::fsi::immersedFluid::subtractWalls(gradientWeights& weights) const
+void Foam::fsi::immersedGradient::subtractWalls(gradientWeights& weights) const
 {
     const scalarField& open = geometry_.openness();
     const UList<wallFace>& walls = geometry_.wallFaces();
@@ -135,7 +135,7 @@ void Foam::fsi::immersedFluid::subtractWalls(gradientWeights& weights) const
 }
 
 
-void Foam::fsi::immersedFluid::sumPatchGradients
+void Foam::fsi::immersedGradient::sumPatchGradients
 (
     const volScalarField& p,
     vectorField& sum,
@@ -172,7 +172,7 @@ void Foam::fsi::immersedFluid::sumPatchGradients
 }
 
 
-Foam::scalarField Foam::fsi::immersedFluid::wallFriction
+Foam::scalarField Foam::fsi::immersedGradient::wallFriction
 (
     const scalar viscosity
 ) const
@@ -187,9 +187,20 @@ Foam::scalarField Foam::fsi::immersedFluid::wallFriction
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::immersedGradient::immersedGradient
+(
+    const interfaceGeometry& geometry
+)
+:
+    geometry_(geometry)
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
+Foam::tmp<Foam::volVectorField> Foam::fsi::immersedGradient::openGradient
 (
     const volScalarField& p
 ) const
@@ -216,7 +227,7 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::openGradient
 }
 
 
-Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::gradient
+Foam::tmp<Foam::volVectorField> Foam::fsi::immersedGradient::gradient
 (
     const volScalarField& p
 ) const
@@ -227,7 +238,7 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedFluid::gradient
 }
 
 
-void Foam::fsi::immersedFluid::correctVelocity
+void Foam::fsi::immersedGradient::correctVelocity
 (
     volVectorField& U,
     const volVectorField& lastGradient,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "immersedFluid.H"
+#include "immersedMomentum.H"
+#include "dictionaryCheck.H"
 #include "fetchAhead.H"
 #include "fvmDiv.H"
 #include "openLaplacian.H"
@@ -66,7 +67,7 @@ static List<vectorField> valuesAcross(const volVectorField& U)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::immersedFluid::addWallConvection
+void Foam::fsi::immersedMomentum::addWallConvection
 (
     const surfaceScalarField& flux,
     const volVectorField& U,
@@ -102,7 +103,7 @@ void Foam::fsi::immersedFluid::addWallConvection
 }
 
 
-void Foam::fsi::immersedFluid::addDiffusion
+void Foam::fsi::immersedMomentum::addDiffusion
 (
     const surfaceScalarField& flux,
     const scalar viscosity,
@@ -145,9 +146,28 @@ void Foam::fsi::immersedFluid::addDiffusion
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::immersedMomentum::immersedMomentum
+(
+    const interfaceGeometry& geometry,
+    const faceVelocities& faces,
+    const dictionary& dict
+)
+:
+    geometry_(geometry),
+    faces_(faces),
+    wholeFace_
+    (
+        readChoice(dict, "convection", "wholeFace", {"wholeFace", "openPart"})
+     == "wholeFace"
+    )
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedFluid::momentum
+Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::momentum
 (
     const surfaceScalarField& phi,
     volVectorField& U,
@@ -183,6 +203,62 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedFluid::momentum
         addWallConvection(tflux(), U, wallVelocity, source);
     }
     return tequation;
+}
+
+
+void Foam::fsi::immersedMomentum::constrain(fvVectorMatrix& UEqn) const
+{
+    // As setValues does for the solid cells, which goes through each cell's
+    // faces, in 2D two empty ones
+    const boolList& fluid = geometry_.fluidCell();
+    const vectorField& U = UEqn.psi().primitiveField();
+    const scalarField& diagonal = UEqn.diag();
+    scalarField& upper = UEqn.upper();
+    scalarField& lower = UEqn.lower();
+    vectorField& source = UEqn.source();
+    const UList<wallLink>& links = geometry_.wallLinks();
+    forAll(links, i)
+    {
+        const wallLink& later = fetchedAhead(links, i);
+        fetchAhead(source[later.cell]);
+        fetchAhead(U[max(later.across, 0)]);
+        fetchAhead(upper[min(later.face, upper.size() - 1)]);
+        fetchAhead(lower[min(later.face, lower.size() - 1)]);
+
+        const wallLink& link = links[i];
+        if (link.across >= 0)
+        {
+            // The owner is the cell of the lower number
+            source[link.cell] -=
+                (link.cell < link.across ? upper : lower)[link.face]
+               *U[link.across];
+            upper[link.face] = lower[link.face] = 0;
+        }
+    }
+    const labelUList& firstFace = UEqn.lduAddr().ownerStartAddr();
+    forAll(fluid, celli)
+    {
+        if (!fluid[celli])
+        {
+            source[celli] = U[celli]*diagonal[celli];
+            for (label i = firstFace[celli]; i < firstFace[celli + 1]; ++i)
+            {
+                upper[i] = lower[i] = 0;
+            }
+        }
+    }
+    forAll(UEqn.internalCoeffs(), patchi)
+    {
+        const labelUList& cells = UEqn.lduAddr().patchAddr(patchi);
+        forAll(UEqn.internalCoeffs()[patchi], i)
+        {
+            if (!fluid[cells[i]])
+            {
+                UEqn.internalCoeffs()[patchi][i] = Zero;
+                UEqn.boundaryCoeffs()[patchi][i] = Zero;
+            }
+        }
+    }
 }
 
 

@@ -1,29 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "interfaceGeometry.H"
+#include "fluidRegions.H"
 #include "regionSplit.H"
-#include "volFields.H"
 #include "sumOverRanks.H"
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::interfaceGeometry::removeNetSource
+void Foam::fsi::removeNetSource
 (
+    const interfaceGeometry& geometry,
     const volScalarField& p,
     scalarField& source
-) const
+)
 {
-    const fvMesh& mesh = grid_.mesh();
+    const fvMesh& mesh = geometry.grid().mesh();
+    const boolList& active = geometry.activeCell();
     boolList blocked(mesh.nFaces(), false);
     forAll(blocked, facei)
     {
-        blocked[facei] = openness_[facei] <= 0;
+        blocked[facei] = geometry.openness()[facei] <= 0;
     }
     const regionSplit regions(mesh, blocked);
 
     // Wall area in each cell: the net source goes where walls move
     scalarField wallArea(mesh.nCells(), Zero);
-    for (const wallFace& w : wallFaces_)
+    for (const wallFace& w : geometry.wallFaces())
     {
         for (const label celli : {w.lower, w.upper})
         {
@@ -40,7 +41,7 @@ void Foam::fsi::interfaceGeometry::removeNetSource
     scalarField open(regions.nRegions(), Zero);
     forAll(source, celli)
     {
-        if (activeCell_[celli])
+        if (active[celli])
         {
             net[regions[celli]] += source[celli];
             area[regions[celli]] += wallArea[celli];
@@ -63,7 +64,7 @@ void Foam::fsi::interfaceGeometry::removeNetSource
     forAll(source, celli)
     {
         const label regioni = regions[celli];
-        if (activeCell_[celli] && open[regioni] < 0.5 && area[regioni] > 0)
+        if (active[celli] && open[regioni] < 0.5 && area[regioni] > 0)
         {
             source[celli] -= net[regioni]*wallArea[celli]/area[regioni];
         }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceGeometry.H"
-#include "wallTreatment.H"
-#include "levelSetUpdate.H"
-#include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -11,13 +8,6 @@ namespace Foam
 {
 namespace fsi
 {
-
-//- Faces open by less than this are closed
-static const scalar smallestOpenness = 1e-6;
-
-//- A face whose owner is farther from the surfaces, in cells, is open or closed
-//  as a whole, and so are those next to it: less than the band's least width
-static const scalar nearest = 2.5;
 
 //- Values per mesh face as a surface field; empty faces are left out
 static void setSurfaceField
@@ -46,125 +36,18 @@ static void setSurfaceField
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::interfaceGeometry::openPart
-(
-    const levelSetUpdate& levelSet,
-    const label facei,
-    const label here
-) const
+void Foam::fsi::interfaceGeometry::setFields()
 {
-    const label nCorners = grid_.nDims() == 2 ? 2 : 4;
-    const label across = here + grid_.stepAcross(facei);
-    const scalar inCell = levelSet.cellDistance()[here];
-    const scalar beyond = levelSet.cellDistance()[across];
-    const FixedList<label, 4>& corners = grid_.faceCorners(facei);
-    FixedList<scalar, 4> distance(Zero);
-    scalar lowest = min(inCell, beyond);
-    scalar highest = max(inCell, beyond);
-    for (label i = 0; i < nCorners; ++i)
-    {
-        distance[i] = levelSet.cornerDistance()[corners[i]];
-        lowest = min(lowest, distance[i]);
-        highest = max(highest, distance[i]);
-    }
-    if (lowest > 0 || highest <= 0)
-    {
-        // Most faces; no treatment would have it another way
-        return lowest > 0 ? 1 : 0;
-    }
-    const scalar open = wall_.openness(distance, nCorners, inCell, beyond);
-    return open < smallestOpenness ? 0 : open;
-}
-
-
-void Foam::fsi::interfaceGeometry::setOpenness(const levelSetUpdate& levelSet)
-{
-    const fvMesh& mesh = grid_.mesh();
-    const labelList& owner = mesh.faceOwner();
-    const labelList& haloIndex = grid_.haloIndex();
-    const scalarField& cellDistance = levelSet.cellDistance();
-    const scalar reach = nearest*grid_.spacing();
-
-    nearFaces_.clear();
-    grid_.forFaces([&](const label facei)
-    {
-        const label here = haloIndex[owner[facei]];
-        const scalar inCell = cellDistance[here];
-        if (mag(inCell) > reach)
-        {
-            // All corners are on the same side
-            openness_[facei] = inCell > 0 ? 1 : 0;
-            return;
-        }
-        nearFaces_.append(facei);
-        openness_[facei] = openPart(levelSet, facei, here);
-    });
-
-    // On cyclic patches the distances of both sides differ by round-off
-    SubList<scalar> boundary
-    (
-        openness_,
-        mesh.nFaces() - mesh.nInternalFaces(),
-        mesh.nInternalFaces()
-    );
-    syncTools::syncBoundaryFaceList(mesh, boundary, minEqOp<scalar>());
-}
-
-
-void Foam::fsi::interfaceGeometry::setCells(const levelSetUpdate& levelSet)
-{
-    const polyMesh& mesh = grid_.mesh();
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const labelList& owner = mesh.faceOwner();
-    const labelList& neighbour = mesh.faceNeighbour();
-    const labelList& haloIndex = grid_.haloIndex();
-    const scalarField& distance = levelSet.cellDistance();
-
-    // More than a cell's diagonal from the surfaces all sides are open
-    const scalar h = grid_.spacing();
-    forAll(activeCell_, celli)
-    {
-        activeCell_[celli] = fluidCell_[celli] =
-            distance[haloIndex[celli]] > h;
-    }
-    const auto activate = [&](const label celli)
-    {
-        if (!activeCell_[celli])
-        {
-            activeCell_[celli] = true;
-            fluidCell_[celli] = distance[haloIndex[celli]] > 0;
-        }
-    };
-    for (const label facei : nearFaces_)
-    {
-        if (openness_[facei] <= 0)
-        {
-            continue;
-        }
-        if (facei < neighbour.size())
-        {
-            activate(owner[facei]);
-            activate(neighbour[facei]);
-        }
-        else if (patches[patches.whichPatch(facei)].coupled())
-        {
-            activate(owner[facei]);
-        }
-    }
-}
-
-
-void Foam::fsi::interfaceGeometry::setFields(const boolList& across)
-{
-    setSurfaceField(openArea_, openness_);
+    setSurfaceField(openArea_, open_.openness());
 
     // Both cells fluid; those across are judged by their owners
-    const fvMesh& mesh = grid_.mesh();
+    const fvMesh& mesh = grid().mesh();
+    const boolList& fluid = open_.fluidCell();
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
     forAll(own, facei)
     {
-        fluidFace_[facei] = fluidCell_[own[facei]] && fluidCell_[nei[facei]];
+        fluidFace_[facei] = fluid[own[facei]] && fluid[nei[facei]];
     }
     for (fvsPatchScalarField& pf : fluidFace_.boundaryFieldRef())
     {
@@ -172,7 +55,7 @@ void Foam::fsi::interfaceGeometry::setFields(const boolList& across)
         const label first = pf.patch().start() - mesh.nInternalFaces();
         forAll(pf, i)
         {
-            pf[i] = fluidCell_[cells[i]] && across[first + i];
+            pf[i] = fluid[cells[i]] && open_.fluidAcross()[first + i];
         }
     }
 }
@@ -186,27 +69,12 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
     const wallTreatment& wall
 )
 :
-    grid_(grid),
-    wall_(wall),
-    openness_(grid.mesh().nFaces(), 1),
-    closedSides_(grid.mesh().nCells(), 0),
-    atPatch_(grid.mesh().nCells(), false),
-    fluidCell_(grid.mesh().nCells(), true),
-    activeCell_(grid.mesh().nCells(), true),
-    filmChange_
-    (
-        IOobject
-        (
-            "filmChange",
-            grid.mesh().time().timeName(),
-            grid.mesh(),
-            IOobject::READ_IF_PRESENT,
-            IOobject::AUTO_WRITE
-        ),
-        grid.mesh(),
-        dimensionedScalar("value", dimless, 0)
-    ),
+    open_(grid, wall),
+    cutFaces_(open_, wall),
     cellWalls_(grid.mesh().nCells()),
+    openFaces_(open_),
+    films_(open_),
+    patchWalls_(open_),
     openArea_
     (
         IOobject("openArea", grid.mesh().time().timeName(), grid.mesh()),
@@ -219,15 +87,7 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
         grid.mesh(),
         dimensionedScalar("value", dimless, 1)
     )
-{
-    for (const polyPatch& patch : grid.mesh().boundaryMesh())
-    {
-        if (!patch.coupled() && !isA<emptyPolyPatch>(patch))
-        {
-            UIndirectList<bool>(atPatch_, patch.faceCells()) = true;
-        }
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -238,27 +98,16 @@ void Foam::fsi::interfaceGeometry::update
     const surfaceSet& surfaces
 )
 {
-    const bool first = lastOpenness_.empty();
-    if (!first)
-    {
-        lastOpenness_.swap(openness_);
-    }
-    setOpenness(levelSet);
-    if (first)
-    {
-        lastOpenness_ = openness_;
-    }
-    setCells(levelSet);
-    boolList across;
-    swapCoupledCells(grid_.mesh(), fluidCell_, across);
-    setFields(across);
-    findWalls(across);
-    placeWallFaces(levelSet, surfaces);
-    placeWallLinks(levelSet, surfaces);
-    cellWalls_.update(surfaces, wallFaces_, wallOrigins_);
-    setOpenFaces(levelSet, across);
-    setFilmCells(levelSet, first);
-    setOutsideWalls(levelSet, surfaces);
+    open_.update(levelSet);
+    setFields();
+    cutFaces_.update(levelSet, surfaces);
+    cellWalls_.update
+    (
+        surfaces, cutFaces_.wallFaces(), cutFaces_.wallOrigins()
+    );
+    openFaces_.update(levelSet, cutFaces_.wallFaces());
+    films_.update(levelSet, cutFaces_.wallFaces());
+    patchWalls_.update(levelSet, surfaces);
 }
 
 

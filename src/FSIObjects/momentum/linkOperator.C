@@ -9,7 +9,7 @@
 
 Foam::fsi::linkOperator::linkOperator
 (
-    colouredMatrix& matrix,
+    redBlackMatrix& matrix,
     const direction nDims
 )
 :

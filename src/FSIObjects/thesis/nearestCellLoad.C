@@ -82,8 +82,7 @@ void Foam::fsi::nearestCellLoad::calculate
         cells[facei] = nearestFluidCell(centre, normal, steps[facei]);
     }
     labelList nearest(steps);
-    Pstream::listCombineGather(nearest, minEqOp<label>());
-    Pstream::listCombineScatter(nearest);
+    combineOverRanks(nearest, minEqOp<label>());
 
     force.setSize(wallVelocity.size());
     force = Zero;

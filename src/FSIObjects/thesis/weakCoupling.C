@@ -3,6 +3,7 @@
 #include "weakCoupling.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "fluidRegions.H"
 #include "openLaplacian.H"
 #include "sharedPrediction.H"
 
@@ -56,15 +57,15 @@ void Foam::fsi::weakCoupling::predict
 
     load_->calculate(p, U, wallVelocity_, hydrodynamicForce_);
     groupNodal total;
-    system_.objects.toGroups(hydrodynamicForce_, total);
+    system_.objects.layout().toGroups(hydrodynamicForce_, total);
     forAll(total, groupi)
     {
         total[groupi] += force_[groupi];
     }
-    predictShared(system_.objects, time, dt, total, velocity_);
-    constrainVolume(velocity_);
+    predictShared(system_.objects, time, dt, total, velocity_.change());
+    constrain(velocity_);
     contact(velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
 }
 
 
@@ -95,7 +96,7 @@ void Foam::fsi::weakCoupling::begin
 {
     pass_ = 0;
     force_ = force;
-    system_.objects.zeroGroups(velocity_);
+    velocity_.reset();
     wallVelocity_ = system_.objects.surfaces().velocities();
 }
 
@@ -126,7 +127,7 @@ void Foam::fsi::weakCoupling::solvePressure
 
     system_.walls.flux(-wallVelocity_, pEqn.source());
     subtractOutflow(phiHbyA, pEqn.source());
-    system_.geometry.removeNetSource(p, pEqn.source());
+    removeNetSource(system_.geometry, p, pEqn.source());
 
     solveFluidPressure(p, pEqn);
     subtractGradient(system_.geometry, p, rAU, phiHbyA);
@@ -135,7 +136,7 @@ void Foam::fsi::weakCoupling::solvePressure
 
 bool Foam::fsi::weakCoupling::again
 (
-    const volScalarField& p,
+    volScalarField& p,
     const volVectorField& U
 )
 {
@@ -146,8 +147,7 @@ bool Foam::fsi::weakCoupling::again
         return false;
     }
 
-    vectorField objectVelocity;
-    system_.objects.toSurface(velocity_, objectVelocity);
+    const vectorField& objectVelocity = velocity_.surface();
     const vectorField residual(objectVelocity - wallVelocity_);
     const scalar scale = max(max(magSqr(objectVelocity)), VSMALL);
     if (max(magSqr(residual)) < sqr(tolerance_)*scale)
@@ -166,7 +166,7 @@ void Foam::fsi::weakCoupling::end
 )
 {
     limitContact(velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
 }
 
 

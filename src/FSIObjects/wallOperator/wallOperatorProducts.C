@@ -23,23 +23,7 @@ void Foam::fsi::wallOperator::transposeSums
     }
     meanPressure_ *= perArea_;
 
-    if (Pstream::parRun())
-    {
-        // One exchange for both: the means behind the forces
-        exchange_.setSize(nNodes_ + nObjects_);
-        SubList<vector>(exchange_, nNodes_) = force;
-        forAll(meanPressure_, objecti)
-        {
-            exchange_[nNodes_ + objecti] =
-                vector(meanPressure_[objecti], 0, 0);
-        }
-        sumOverRanks(exchange_);
-        force = SubList<vector>(exchange_, nNodes_);
-        forAll(meanPressure_, objecti)
-        {
-            meanPressure_[objecti] = exchange_[nNodes_ + objecti].x();
-        }
-    }
+    sumOverRanks(force, meanPressure_);
 }
 
 

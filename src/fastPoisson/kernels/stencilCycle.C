@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "stencilCycle.H"
 #include "stencilRows.H"
 
 namespace Foam

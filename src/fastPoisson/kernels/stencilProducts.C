@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "stencil.H"
+#include "stencilProducts.H"
 #include "vectorClones.H"
 #include <cmath>
 

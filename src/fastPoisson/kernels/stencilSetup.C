@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "stencilSetup.H"
 #include "stencilRows.H"
 #include <cmath>
 

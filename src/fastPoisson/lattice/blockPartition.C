@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "blockPartition.H"
+#include "latticeRanks.H"
 #include "Pstream.H"
-#include "PstreamReduceOps.H"
 #include "boundBox.H"
 #include <algorithm>
 #include "DynamicList.H"
@@ -171,8 +171,7 @@ Foam::fsi::blockPartition::blockPartition(const cartesianMap& map)
     cyclic_(map.cyclic())
 {
     const label comm = map.mesh().comm();
-    const label nRanks =
-        UPstream::parRun() ? UPstream::nProcs(comm) : label(1);
+    const label nRanks = nRanksIn(comm);
 
     for (direction d = 0; d < 3; ++d)
     {

@@ -2,7 +2,7 @@
 
 #include "cartesianLattice.H"
 #include "lduMesh.H"
-#include "Pstream.H"
+#include "latticeRanks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -48,13 +48,13 @@ const Foam::polyMesh& Foam::fsi::cartesianLattice::meshOf
 
 Foam::label Foam::fsi::cartesianLattice::rank() const
 {
-    return UPstream::parRun() ? UPstream::myProcNo(comm()) : label(0);
+    return rankIn(comm());
 }
 
 
 Foam::label Foam::fsi::cartesianLattice::nRanks() const
 {
-    return UPstream::parRun() ? UPstream::nProcs(comm()) : label(1);
+    return nRanksIn(comm());
 }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMap.H"
-#include "PstreamReduceOps.H"
+#include "latticeRanks.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * Static Helper Functions * * * * * * * * * * * * //
@@ -39,7 +39,7 @@ void Foam::fsi::cartesianMap::findLattice()
     {
         size = boundBox(mesh_.points(), mesh_.cellPoints(0), false).span();
     }
-    reduce(size, minOp<vector>(), UPstream::msgType(), mesh_.comm());
+    reduceOverRanks(size, minOp<vector>(), mesh_.comm());
 
     labelVector meshN;
     for (direction d = 0; d < 3; ++d)
@@ -132,7 +132,7 @@ Foam::fsi::cartesianMap::cartesianMap(const polyMesh& mesh)
     }
     for (bool& isCyclic : cyclic_)
     {
-        reduce(isCyclic, orOp<bool>(), UPstream::msgType(), mesh_.comm());
+        reduceOverRanks(isCyclic, orOp<bool>(), mesh_.comm());
     }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cellTransfer.H"
+#include "latticeRanks.H"
 #include "Pstream.H"
-#include "PstreamReduceOps.H"
 #include "DynamicList.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -75,12 +75,12 @@ Foam::fsi::cellTransfer::cellTransfer
     comm_(map.mesh().comm()),
     local_(true)
 {
-    const label me = UPstream::parRun() ? UPstream::myProcNo(comm_) : 0;
+    const label me = rankIn(comm_);
     for (const labelVector& cell : map.cells())
     {
         local_ = local_ && partition.owner(cell) == me;
     }
-    reduce(local_, andOp<bool>(), UPstream::msgType(), comm_);
+    reduceOverRanks(local_, andOp<bool>(), comm_);
 
     places_.setSize(map.cells().size(), 0);
     if (!local_)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "haloExchange.H"
+#include "latticeRanks.H"
 #include "UIPstream.H"
 #include "UOPstream.H"
 
@@ -157,7 +158,7 @@ Foam::fsi::haloExchange::haloExchange
 :
     layout_(layout),
     comm_(comm),
-    rank_(UPstream::parRun() ? UPstream::myProcNo(comm) : label(0))
+    rank_(rankIn(comm))
 {}
 
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMultigrid.H"
-#include "PstreamReduceOps.H"
+#include "latticeRanks.H"
+#include "stencilProducts.H"
+#include "stencilSetup.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -50,7 +52,7 @@ Foam::vector Foam::fsi::cartesianMultigrid::weights
 
 Foam::scalar Foam::fsi::cartesianMultigrid::total(scalar value) const
 {
-    reduce(value, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    reduceOverRanks(value, sumOp<scalar>(), lattice_.comm());
     return value;
 }
 
@@ -67,7 +69,7 @@ void Foam::fsi::cartesianMultigrid::setFinest(const scalarField& added)
             norm_ = max(norm_, A.diagonal[place]);
         }
     }
-    reduce(norm_, maxOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    reduceOverRanks(norm_, maxOp<scalar>(), lattice_.comm());
     norm_ = norm_ > 0 ? norm_ : 1;
 
     multigridLevel& finest = hierarchy_.finest();
@@ -93,6 +95,7 @@ Foam::fsi::cartesianMultigrid::cartesianMultigrid
 :
     lattice_(cartesianLattice::New(mesh)),
     matrix_(lattice_),
+    sum_(matrix_),
     hierarchy_
     (
         lattice_.partition(),
@@ -122,12 +125,9 @@ void Foam::fsi::cartesianMultigrid::update
 {
     matrix_.update(matrix, interfaceBouCoeffs, interfaces);
 
-    const bool adds =
-        returnReduce
-        (
-            addedDiagonal.size() > 0, orOp<bool>(),
-            UPstream::msgType(), lattice_.comm()
-        );
+    bool adds = addedDiagonal.size() > 0;
+    reduceOverRanks(adds, orOp<bool>(), lattice_.comm());
+
     // Ap_ is free between two solutions
     Ap_ = 0;
     if (adds)

@@ -1,69 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMultigrid.H"
+#include "stencilProducts.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalar Foam::fsi::cartesianMultigrid::addSparse
-(
-    const addedTerm& term,
-    const scalarField& p,
-    scalarField& Ap
-) const
-{
-    lattice_.transfer().gather(termPlaces_, p, termX_);
-    termAx_.setSize(termX_.size());
-    termAx_ = Zero;
-    term.add(termAx_, termX_);
-    scalar dot = 0;
-    forAll(termAx_, i)
-    {
-        termAx_[i] *= matrix_.sign();
-        dot += termAx_[i]*termX_[i];
-    }
-    lattice_.transfer().add(termPlaces_, termAx_, Ap);
-    return dot;
-}
-
-
-void Foam::fsi::cartesianMultigrid::addByCells
-(
-    const addedTerm& term,
-    const scalarField& p,
-    scalarField& Ap
-) const
-{
-    const cellTransfer& transfer = lattice_.transfer();
-    cellX_.setSize(lattice_.map().cells().size());
-    cellAx_.setSize(cellX_.size());
-    transfer.toCells(p.cdata(), 1, cellX_);
-    transfer.toCells(Ap.cdata(), matrix_.sign(), cellAx_);
-    term.add(cellAx_, cellX_);
-    transfer.toBlock(cellAx_, matrix_.sign(), Ap.data());
-}
-
-
-Foam::scalar Foam::fsi::cartesianMultigrid::multiply
-(
-    scalarField& p,
-    scalarField& Ap,
-    const addedTerm* term
-) const
-{
-    matrix_.halo().fill(p.data());
-    scalar dot = product(matrix_.A(), p.cdata(), Ap.data());
-    if (term && term->cells())
-    {
-        dot += addSparse(*term, p, Ap);
-    }
-    else if (term)
-    {
-        addByCells(*term, p, Ap);
-        dot = dotProduct(matrix_.A(), p.cdata(), Ap.cdata());
-    }
-    return total(dot);
-}
-
 
 Foam::scalar Foam::fsi::cartesianMultigrid::nextDirection
 (
@@ -93,15 +33,14 @@ void Foam::fsi::cartesianMultigrid::iterate
 (
     solverPerformance& result,
     const scalar factor,
-    const loopControls& controls,
-    const addedTerm* term
+    const loopControls& controls
 ) const
 {
     scalar rz = 0;
     do
     {
         rz = nextDirection(factor*result.finalResidual(), rz);
-        const scalar pAp = multiply(p_, Ap_, term);
+        const scalar pAp = total(sum_.multiply(p_, Ap_));
         if (result.checkSingularity(mag(pAp)/factor))
         {
             break;
@@ -140,14 +79,11 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
 {
     solverPerformance result("cartesianMG", fieldName);
     const cellTransfer& transfer = lattice_.transfer();
-    if (term && term->cells())
-    {
-        termPlaces_ = transfer.places(*term->cells());
-    }
+    sum_.set(term);
 
     transfer.toBlock(psi, 1, x_.data());
     transfer.toBlock(source, matrix_.sign(), r_.data());
-    multiply(x_, Ap_, term);
+    sum_.multiply(x_, Ap_);
     const scalar factor =
         matrix_.normFactor(Ap_, r_, total(sum(psi))/nMeshCells_);
 
@@ -176,7 +112,7 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
      || !result.checkConvergence(controls.tolerance, controls.relTol)
     )
     {
-        iterate(result, factor, controls, term);
+        iterate(result, factor, controls);
         transfer.toCells(x_.cdata(), 1, psi);
     }
     return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "multigridHierarchy.H"
-#include "Pstream.H"
+#include "latticeRanks.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -58,14 +58,9 @@ void Foam::fsi::multigridHierarchy::gather
         levels_[gatherLevel_].layout(),
         [&](const label place) { sendBuffer_[next++] = part[place]; }
     );
-    UPstream::gather
+    gatherToFirst
     (
-        reinterpret_cast<const char*>(sendBuffer_.cdata()),
-        sendBuffer_.size()*sizeof(float),
-        reinterpret_cast<char*>(gatherBuffer_.data()),
-        gatherSize_,
-        gatherOffset_,
-        comm_
+        sendBuffer_, gatherBuffer_, gatherSize_, gatherOffset_, comm_
     );
     forAll(gatherPlace_, i)
     {
@@ -84,14 +79,9 @@ void Foam::fsi::multigridHierarchy::scatter
     {
         gatherBuffer_[i] = whole[gatherPlace_[i]];
     }
-    UPstream::scatter
+    scatterFromFirst
     (
-        reinterpret_cast<const char*>(gatherBuffer_.cdata()),
-        gatherSize_,
-        gatherOffset_,
-        reinterpret_cast<char*>(sendBuffer_.data()),
-        sendBuffer_.size()*sizeof(float),
-        comm_
+        gatherBuffer_, sendBuffer_, gatherSize_, gatherOffset_, comm_
     );
     label next = 0;
     forBox

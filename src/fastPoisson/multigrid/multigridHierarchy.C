@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "multigridHierarchy.H"
-#include "Pstream.H"
+#include "latticeRanks.H"
 
 // * * * * * * * * * * * * * Static Helper Functions * * * * * * * * * * * * //
 
@@ -54,8 +54,8 @@ Foam::fsi::multigridHierarchy::multigridHierarchy
 :
     controls_(choices),
     comm_(comm),
-    rank_(UPstream::parRun() ? UPstream::myProcNo(comm) : label(0)),
-    nRanks_(UPstream::parRun() ? UPstream::nProcs(comm) : label(1)),
+    rank_(rankIn(comm)),
+    nRanks_(nRanksIn(comm)),
     gatherLevel_(-1)
 {
     const label gatherCells = max(controls_.gatherCells, coarsestCells);

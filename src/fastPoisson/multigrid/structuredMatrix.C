@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "structuredMatrix.H"
-#include "PstreamReduceOps.H"
+#include "latticeRanks.H"
 #include "solverPerformance.H"
+#include "stencilSetup.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -122,7 +123,7 @@ Foam::scalar Foam::fsi::structuredMatrix::normFactor
         const scalar reference = rowSum_[place]*average;
         total += mag(Ax[place] - reference) + mag(source[place] - reference);
     });
-    reduce(total, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    reduceOverRanks(total, sumOp<scalar>(), lattice_.comm());
     return total + solverPerformance::small_;
 }
 
@@ -136,7 +137,7 @@ void Foam::fsi::structuredMatrix::update
 {
     const label comm = lattice_.comm();
     scalar total = sum(matrix.diag());
-    reduce(total, sumOp<scalar>(), UPstream::msgType(), comm);
+    reduceOverRanks(total, sumOp<scalar>(), comm);
     sign_ = total < 0 ? -1 : 1;
 
     scalarField diagonal(sign_*matrix.diag());
@@ -172,7 +173,7 @@ void Foam::fsi::structuredMatrix::update
             singular_
          && mag(rowSum_[place]) <= 1e-12*A_.diagonal[place];
     });
-    reduce(singular_, andOp<bool>(), UPstream::msgType(), comm);
+    reduceOverRanks(singular_, andOp<bool>(), comm);
 }
 
 
@@ -190,7 +191,7 @@ void Foam::fsi::structuredMatrix::removeLevel(scalarField& source) const
     });
     for (scalar& sum : sums)
     {
-        reduce(sum, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
+        reduceOverRanks(sum, sumOp<scalar>(), lattice_.comm());
     }
     const scalar mean = sums[0]/max(sums[1], 1);
     forRows([&](const label place)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianTransform.H"
-#include "PstreamReduceOps.H"
+#include "latticeRanks.H"
+#include "stencilProducts.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::fsi::cartesianTransform::total(scalar value) const
 {
-    reduce(value, sumOp<scalar>(), UPstream::msgType(), lattice_.comm());
+    reduceOverRanks(value, sumOp<scalar>(), lattice_.comm());
     return value;
 }
 

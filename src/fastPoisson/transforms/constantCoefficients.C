@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "constantCoefficients.H"
-#include "PstreamReduceOps.H"
+#include "latticeRanks.H"
 
 // * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * * //
 
@@ -60,10 +60,10 @@ void Foam::fsi::constantCoefficients::findFaces()
                 }
             }
         );
-        reduce(least, minOp<scalar>(), UPstream::msgType(), comm);
-        reduce(most, maxOp<scalar>(), UPstream::msgType(), comm);
-        reduce(total, sumOp<scalar>(), UPstream::msgType(), comm);
-        reduce(count, sumOp<scalar>(), UPstream::msgType(), comm);
+        reduceOverRanks(least, minOp<scalar>(), comm);
+        reduceOverRanks(most, maxOp<scalar>(), comm);
+        reduceOverRanks(total, sumOp<scalar>(), comm);
+        reduceOverRanks(count, sumOp<scalar>(), comm);
         face_[d] = count > 0 ? total/count : 0;
         if (count > 0 && most - least > tolerance*face_[d])
         {
@@ -102,7 +102,7 @@ void Foam::fsi::constantCoefficients::findSides()
     );
     for (scalar& value : least)
     {
-        reduce(value, minOp<scalar>(), UPstream::msgType(), comm);
+        reduceOverRanks(value, minOp<scalar>(), comm);
     }
 
     // A sum of coefficients that cancel is not a time derivative
@@ -143,8 +143,8 @@ void Foam::fsi::constantCoefficients::findReference()
             }
         }
     );
-    reduce(nDifferent, sumOp<label>(), UPstream::msgType(), comm);
-    reduce(referenceExcess_, sumOp<scalar>(), UPstream::msgType(), comm);
+    reduceOverRanks(nDifferent, sumOp<label>(), comm);
+    reduceOverRanks(referenceExcess_, sumOp<scalar>(), comm);
     const bool reference =
         nDifferent == 1 && referenceExcess_ > 0 && singular();
     if (nDifferent > 0 && !reference)

@@ -2,23 +2,6 @@
 
 #include "surfaceDistance.H"
 #include "fetchSamples.H"
-#include "triangleProjection.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- A square of a distance is less than another if it is less by more than
-//  round-off: beside a corner the first of its two faces counts, wherever the
-//  object is
-static const scalar clearlyLess = 1 - 1e-10;
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -49,146 +32,106 @@ void Foam::fsi::surfaceDistance::check
 }
 
 
-template<class Projection>
-void Foam::fsi::surfaceDistance::addFace
+Foam::boundBox Foam::fsi::surfaceDistance::reach
 (
-    const Projection& face,
-    const label facei,
-    const faceReach& reach,
-    const cartesianBlock& block
+    const surfaceSet& surfaces,
+    const label objecti
+) const
+{
+    // A little wider, for round-off
+    const vector width(vector::uniform(1.001*bandWidth_));
+    const boundBox bounds(surfaces.bounds(objecti));
+    return boundBox(bounds.min() - width, bounds.max() + width);
+}
+
+
+void Foam::fsi::surfaceDistance::addObjects
+(
+    const surfaceSet& surfaces,
+    const cartesianBlock& block,
+    const bool fixed
 )
 {
-    labelVector first(0, 0, 0), end(1, 1, 1);
-    for (direction dir = 1; dir < block.nDims(); ++dir)
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        first[dir] = block.nUpTo(reach.bounds().min()[dir], dir);
-        end[dir] = block.nUpTo(reach.bounds().max()[dir], dir);
-    }
-
-    for (label k = first.z(); k < end.z(); ++k)
-    {
-        for (label j = first.y(); j < end.y(); ++j)
+        if (surfaces.fixed(objecti) != fixed)
         {
-            point p(block.position(labelVector(0, j, k)));
-            scalar from, to;
-            reach.row(p, from, to);
-            const label begin = block.nUpTo(from, 0);
-            const label behind = block.nUpTo(to, 0);
-            const label row = block.index(0, j, k);
-            for (label i = begin; i < behind; ++i)
+            continue;
+        }
+        const boundBox box(reach(surfaces, objecti));
+        if (fetchSamples(block, box.min(), box.max(), distance_))
+        {
+            if (surfaces.nDims() == 2)
             {
-                p.x() = block.latticePosition(block.start().x() + i, 0);
-                const scalar distance = face.distanceSqr(p);
-                if (distance < clearlyLess*distance_[row + i])
-                {
-                    distance_[row + i] = distance;
-                    nearestFace_[row + i] = facei;
-                }
+                addSegments(surfaces, objecti, block);
             }
+            else
+            {
+                addTriangles(surfaces, objecti, block);
+            }
+            inside_.mark(surfaces, objecti, block, object_);
         }
     }
 }
 
 
-void Foam::fsi::surfaceDistance::addSegments
-(
-    const surfaceSet& surfaces,
-    const label objecti,
-    const cartesianBlock& block
-)
+void Foam::fsi::surfaceDistance::setFixed(const sampleRanges& samples)
 {
-    const label firstNode = surfaces.pointStart()[objecti];
-    const label firstFace = surfaces.faceStart()[objecti];
-    const label nFaces = surfaces.faceStart()[objecti + 1] - firstFace;
-
-    endsAt_.setSize(surfaces.pointStart()[objecti + 1] - firstNode);
-    beginsAt_.setSize(endsAt_.size());
-    endsAt_ = -1;
-    beginsAt_ = -1;
-    along_.setSize(nFaces);
-    length_.setSize(nFaces);
-    const auto ends = [&](const label i, point& a, point& b)
+    for (const labelPair& r : samples.ranges())
     {
-        // Distances in the plane, wherever the samples lie in z
-        const surfaceFace& f = surfaces.faces()[firstFace + i];
-        a = surfaces.points()[f[0]];
-        b = surfaces.points()[f[1]];
-        a.z() = b.z() = block.position(0).z();
-    };
-    point a, b;
-    for (label i = 0; i < nFaces; ++i)
-    {
-        const surfaceFace& f = surfaces.faces()[firstFace + i];
-        ends(i, a, b);
-        length_[i] = mag(b - a);
-        along_[i] = (1/max(length_[i], VSMALL))*(b - a);
-        beginsAt_[f[0] - firstNode] = i;
-        endsAt_[f[1] - firstNode] = i;
-    }
-
-    // Of the two faces at a node the first one has what lies beyond both
-    const auto turn = [&](const label i, const label other)
-    {
-        return
-            other < 0 ? 1
-          : other < i ? 0
-          : faceReach::turn(along_[i], along_[other]);
-    };
-    for (label i = 0; i < nFaces; ++i)
-    {
-        const surfaceFace& f = surfaces.faces()[firstFace + i];
-        ends(i, a, b);
-        const faceReach reach
-        (
-            a,
-            along_[i],
-            length_[i],
-            turn(i, endsAt_[f[0] - firstNode]),
-            turn(i, beginsAt_[f[1] - firstNode]),
-            bandWidth_
-        );
-        addFace(segmentProjection(a, b), firstFace + i, reach, block);
+        fixed_.copy(r.first(), r.second(), distance_, nearestFace_, object_);
     }
 }
 
 
-void Foam::fsi::surfaceDistance::addTriangles
+void Foam::fsi::surfaceDistance::finish
 (
     const surfaceSet& surfaces,
-    const label objecti,
-    const cartesianBlock& block
+    const sampleRanges& samples
 )
 {
-    const pointField& points = surfaces.points();
-    const labelList& faceStart = surfaces.faceStart();
-
-    for (label i = faceStart[objecti]; i < faceStart[objecti + 1]; ++i)
+    for (const labelPair& r : samples.ranges())
     {
-        const surfaceFace& f = surfaces.faces()[i];
-        const point& a = points[f[0]];
-        const point& b = points[f[1]];
-        const point& c = points[f[2]];
-        const triangleProjection face(a, b, c);
-        const boundBox bounds(min(min(a, b), c), max(max(a, b), c));
-        const faceReach reach(bounds, a, face.normal(), bandWidth_);
-        addFace(face, i, reach, block);
-    }
-}
-
-
-void Foam::fsi::surfaceDistance::finish(const surfaceSet& surfaces)
-{
-    forAll(distance_, samplei)
-    {
-        const bool inside = object_[samplei] >= 0;
-        scalar distance = bandWidth_;
-        if (nearestFace_[samplei] >= 0)
+        for (label samplei = r.first(); samplei < r.second(); ++samplei)
         {
-            distance = sqrt(distance_[samplei]);
-            object_[samplei] = surfaces.faceObject()[nearestFace_[samplei]];
+            const bool inside = object_[samplei] >= 0;
+            scalar distance = bandWidth_;
+            if (nearestFace_[samplei] >= 0)
+            {
+                distance = sqrt(distance_[samplei]);
+                object_[samplei] = surfaces.faceObject()[nearestFace_[samplei]];
+            }
+            if (object_[samplei] >= 0)
+            {
+                object_[samplei] = surfaces.original(object_[samplei]);
+            }
+            distance_[samplei] = inside ? -distance : distance;
         }
-        distance_[samplei] = inside ? -distance : distance;
     }
+}
+
+
+void Foam::fsi::surfaceDistance::restart
+(
+    const surfaceSet& surfaces,
+    const cartesianBlock& block
+)
+{
+    distance_.setSize(block.size());
+    nearestFace_.setSize(block.size());
+    object_.setSize(block.size());
+    distance_ = sqr(bandWidth_);
+    nearestFace_ = -1;
+    object_ = -1;
+
+    addObjects(surfaces, block, true);
+    fixed_.keep
+    (
+        surfaces, block, sqr(bandWidth_), distance_, nearestFace_, object_
+    );
+    touched_ = sampleRanges(block);
+    finish(surfaces, touched_);
+    touched_.clear();
 }
 
 
@@ -216,39 +159,36 @@ void Foam::fsi::surfaceDistance::update
 )
 {
     check(surfaces, block);
-
-    distance_.setSize(block.size());
-    nearestFace_.setSize(block.size());
-    object_.setSize(block.size());
-    distance_ = sqr(bandWidth_);
-    nearestFace_ = -1;
-    object_ = -1;
-
-    const vector width(vector::uniform(bandWidth_));
-    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    if
+    (
+        distance_.size() != block.size()
+     || !fixed_.hold(surfaces, block)
+    )
     {
-        const boundBox bounds(surfaces.bounds(objecti));
-        if
-        (
-            fetchSamples
-            (
-                block, bounds.min() - width, bounds.max() + width, distance_
-            )
-        )
-        {
-            if (surfaces.nDims() == 2)
-            {
-                addSegments(surfaces, objecti, block);
-            }
-            else
-            {
-                addTriangles(surfaces, objecti, block);
-            }
-            inside_.mark(surfaces, objecti, block, object_);
-        }
+        restart(surfaces, block);
     }
 
-    finish(surfaces);
+    sampleRanges touched;
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (!surfaces.fixed(objecti))
+        {
+            const boundBox box(reach(surfaces, objecti));
+            touched.add(block, box.min(), box.max());
+        }
+    }
+    touched.merge(block);
+
+    // Where objects were, unless all is set below
+    if (touched.nSamples() < block.size())
+    {
+        setFixed(touched_);
+        finish(surfaces, touched_);
+    }
+    touched_.swap(touched);
+    setFixed(touched_);
+    addObjects(surfaces, block, false);
+    finish(surfaces, touched_);
 }
 
 

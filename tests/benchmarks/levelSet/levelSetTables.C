@@ -9,7 +9,10 @@ Description
     cost of the rebuilt and the advected level set. Takes some minutes.
 
 Usage
-    levelSetTables [march|reinitialise|extension|advection|alignment|cost]...
+    levelSetTables [TABLE]...
+
+    TABLE: march, reinitialise, extension, advection, alignment, cost or
+    triangles.
 
     Without an argument all tables are printed.
 \*---------------------------------------------------------------------------*/
@@ -34,7 +37,8 @@ int main(int argc, char* argv[])
         {"extension", fsi::extensionTable},
         {"advection", fsi::advectionTable},
         {"alignment", fsi::alignmentTable},
-        {"cost", fsi::costTable}
+        {"cost", fsi::costTable},
+        {"triangles", fsi::triangleTable}
     });
 
     for (const auto& table : tables)

@@ -17,7 +17,7 @@ namespace
 //  their cells are on. The matrix is negative, and so is K
 class squares
 :
-    public cartesianMultigrid::addedTerm
+    public addedTerm
 {
     const List<labelVector>& cells_;
     label nRow_;
@@ -206,7 +206,7 @@ TEST(cartesianMultigrid, addedDiagonalHelps)
     const scalarField b(randomField(mesh, 4));
 
     // A term that is its own diagonal
-    struct holdsCells : public cartesianMultigrid::addedTerm
+    struct holdsCells : public addedTerm
     {
         scalarField diagonal;
 

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "volFields.H"
+#include "cutFaces.H"
+#include "fetchAhead.H"
+#include "levelSetUpdate.H"
+#include "wallTreatment.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::cutFaces::setCut
+(
+    const scalarField& cornerDistance,
+    const cartesianBlock& corners,
+    const label facei,
+    wallOrigin& origin
+) const
+{
+    const FixedList<label, 4>& around = grid_.faceCorners(facei);
+    const label nCorners = grid_.nDims() == 2 ? 2 : 4;
+    FixedList<point, 4> at;
+    for (label i = 0; i < nCorners; ++i)
+    {
+        at[i] = corners.position(around[i]);
+    }
+    label nCut = 0;
+    point sum(Zero);
+    for (label a = 0; a < nCorners; ++a)
+    {
+        // In 2D the second edge is the first one
+        const label b = (a + 1) % nCorners;
+        const scalar distanceA = cornerDistance[around[a]];
+        const scalar distanceB = cornerDistance[around[b]];
+        if ((distanceA > 0) != (distanceB > 0))
+        {
+            const scalar part = distanceA/(distanceA - distanceB);
+            sum += (1 - part)*at[a] + part*at[b];
+            ++nCut;
+        }
+    }
+    origin.cut = nCut > 0;
+    if (origin.cut)
+    {
+        origin.middle = sum/nCut;
+    }
+}
+
+
+void Foam::fsi::cutFaces::addWallFace
+(
+    const label facei,
+    const label own,
+    const label nei
+)
+{
+    const bool upwards = grid_.faceAlong(facei);
+    wallFace w;
+    w.face = facei;
+    w.dir = grid_.faceDirection(facei);
+    w.lower = upwards ? own : nei;
+    w.upper = upwards ? nei : own;
+    w.area = 1 - open_.openness()[facei];
+    wallFaces_.append(w);
+}
+
+
+void Foam::fsi::cutFaces::addWallLink
+(
+    const label facei,
+    const label celli,
+    const label across
+)
+{
+    // The owner is the cell of the lower number
+    const bool isOwner = across < 0 || celli < across;
+    wallLink link;
+    link.cell = celli;
+    link.face = facei;
+    link.across = across;
+    link.dir = grid_.faceDirection(facei);
+    link.upwards = grid_.faceAlong(facei) == isOwner;
+    wallLinks_.append(link);
+}
+
+
+void Foam::fsi::cutFaces::findWalls()
+{
+    const polyBoundaryMesh& patches = grid_.mesh().boundaryMesh();
+    const labelList& owner = grid_.mesh().faceOwner();
+    const labelList& neighbour = grid_.mesh().faceNeighbour();
+
+    const scalarField& openness = open_.openness();
+    const boolList& fluidCell = open_.fluidCell();
+    const boolList& activeCell = open_.activeCell();
+    const boolList& across = open_.fluidAcross();
+
+    wallFaces_.clear();
+    innerFaces_.clear();
+    wallLinks_.clear();
+    for (const label facei : open_.nearFaces())
+    {
+        const label inBoundary = facei - neighbour.size();
+        const label own = owner[facei];
+        const label nei = inBoundary < 0 ? neighbour[facei] : -1;
+        const bool fluid = fluidCell[own];
+        const bool otherFluid = nei < 0 ? across[inBoundary] : fluidCell[nei];
+        const bool active = activeCell[own];
+        const bool otherActive = nei >= 0 && activeCell[nei];
+
+        if (openness[facei] < 1 && (active || otherActive))
+        {
+            if (openness[facei] > 0 && !fluid && !otherFluid)
+            {
+                innerFaces_.append(wallFaces_.size());
+            }
+            addWallFace(facei, active ? own : -1, otherActive ? nei : -1);
+        }
+        if (fluid == otherFluid)
+        {
+            continue;
+        }
+        if (nei >= 0)
+        {
+            addWallLink(facei, fluid ? own : nei, fluid ? nei : own);
+        }
+        else if (fluid && patches[patches.whichPatch(facei)].coupled())
+        {
+            addWallLink(facei, own, -1);
+        }
+    }
+}
+
+
+void Foam::fsi::cutFaces::placeWallFaces
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    const vectorField& faceAreas = grid_.mesh().faceAreas();
+    const vectorField& faceCentres = grid_.mesh().faceCentres();
+    const labelList& owner = grid_.mesh().faceOwner();
+    const labelList& haloIndex = grid_.haloIndex();
+    const labelList& nearestFace = levelSet.nearestFace();
+    const cartesianBlock corners(grid_.corners());
+
+    wallOrigins_.setSize(wallFaces_.size());
+    forAll(wallFaces_, i)
+    {
+        const wallFace& later = fetchedAhead(wallFaces_, i);
+        fetchAhead(faceAreas[later.face]);
+        fetchAhead(faceCentres[later.face]);
+        fetchAhead(grid_.faceCorners(later.face));
+        fetchAhead(nearestFace[haloIndex[max(later.lower, later.upper)]]);
+
+        wallFace& w = wallFaces_[i];
+        wallOrigin& origin = wallOrigins_[i];
+        origin.cut = false;
+        origin.middle = faceCentres[w.face];
+        if (w.area < 1)
+        {
+            setCut(levelSet.cornerDistance(), corners, w.face, origin);
+        }
+        w.area *= mag(faceAreas[w.face]);
+        const label here = haloIndex[owner[w.face]];
+        w.place = nearestPlace
+        (
+            surfaces,
+            origin.middle,
+            nearestFace[here],
+            nearestFace[here + grid_.stepAcross(w.face)],
+            origin.surface
+        );
+    }
+}
+
+
+void Foam::fsi::cutFaces::placeWallLinks
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    const scalar h = grid_.spacing();
+    const vectorField& C = grid_.mesh().C();
+    const scalarField& distance = levelSet.cellDistance();
+    const labelList& nearestFace = levelSet.nearestFace();
+    const labelList& haloIndex = grid_.haloIndex();
+    forAll(wallLinks_, i)
+    {
+        const label later = fetchedAhead(wallLinks_, i).cell;
+        fetchAhead(C[later]);
+        fetchAhead(distance[haloIndex[later]]);
+        fetchAhead(nearestFace[haloIndex[later]]);
+
+        wallLink& link = wallLinks_[i];
+        const label sign = link.upwards ? 1 : -1;
+        const label here = haloIndex[link.cell];
+        const label there = here + sign*grid_.haloStride(link.dir);
+        link.wallDistance =
+            wall_.wallDistance(distance[here], min(distance[there], 0.0));
+        link.conductance = grid_.faceArea()/(link.wallDistance*h);
+
+        point wallPoint(C[link.cell]);
+        wallPoint[link.dir] += sign*min(link.wallDistance, 1.0)*h;
+        label found;
+        link.place = nearestPlace
+        (
+            surfaces,
+            wallPoint,
+            nearestFace[here],
+            nearestFace[there],
+            found
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::cutFaces::cutFaces
+(
+    const openParts& open,
+    const wallTreatment& wall
+)
+:
+    grid_(open.grid()),
+    open_(open),
+    wall_(wall)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::cutFaces::update
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    findWalls();
+    placeWallFaces(levelSet, surfaces);
+    placeWallLinks(levelSet, surfaces);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "redBlackMatrix.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
+{
+    const bool symmetric = !equation.hasLower();
+    const scalarField& upper = equation.upper();
+    const scalarField& lower = symmetric ? upper : equation.lower();
+
+    // A coefficient and the one of the other side of its face make the
+    // symmetric and the antisymmetric part. Rows with fixed values have none
+    const labelUList& own = equation.lduAddr().lowerAddr();
+    const labelUList& nei = equation.lduAddr().upperAddr();
+    const labelUList& ownerSlot = order_.ownerSlot();
+    const labelUList& neighbourSlot = order_.neighbourSlot();
+    symmetric_ = 0;
+    antisymmetric_ = 0;
+    forAll(own, facei)
+    {
+        const scalar a = upper[facei];
+        const scalar b = lower[facei];
+        coefficient_[ownerSlot[facei]] = a;
+        coefficient_[neighbourSlot[facei]] = b;
+        for (const label celli : {own[facei], nei[facei]})
+        {
+            symmetric_[celli] += 0.5*mag(a + b);
+            antisymmetric_[celli] += 0.5*mag(a - b);
+        }
+    }
+    const labelListList& patchSlot = order_.patchSlot();
+    forAll(patchSlot, patchi)
+    {
+        const vectorField& coeffs = equation.boundaryCoeffs()[patchi];
+        forAll(patchSlot[patchi], i)
+        {
+            coefficient_[patchSlot[patchi][i]] = -coeffs[i].x();
+        }
+    }
+}
+
+
+void Foam::fsi::redBlackMatrix::setDiagonal(const fvVectorMatrix& equation)
+{
+    const scalarField& diagonal = equation.diag();
+    const vectorField& source = equation.source();
+    const vectorField& U = equation.psi().primitiveField();
+    const labelUList& rowOf = order_.rowOf();
+    forAll(rowOf, celli)
+    {
+        const label place = nDims_*rowOf[celli];
+        for (label d = 0; d < nDims_; ++d)
+        {
+            diagonal_[place + d] = diagonal[celli];
+            source_[place + d] = source[celli][d];
+            x_[place + d] = U[celli][d];
+        }
+    }
+    forAll(equation.internalCoeffs(), patchi)
+    {
+        const labelUList& cells =
+            equation.lduAddr().patchAddr(patchi);
+        const vectorField& internal = equation.internalCoeffs()[patchi];
+        const vectorField& boundary = equation.boundaryCoeffs()[patchi];
+        const bool coupled = equation.psi().boundaryField()[patchi].coupled();
+        forAll(cells, i)
+        {
+            const label place = nDims_*rowOf[cells[i]];
+            for (label d = 0; d < nDims_; ++d)
+            {
+                diagonal_[place + d] += internal[i][d];
+                source_[place + d] += coupled ? 0 : boundary[i][d];
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::redBlackMatrix::setRelaxation()
+{
+    scalar alpha = 0;
+    scalar beta = 0;
+    const labelUList& rowOf = order_.rowOf();
+    forAll(rowOf, celli)
+    {
+        const scalar d = diagonal_[nDims_*rowOf[celli]];
+        alpha = max(alpha, symmetric_[celli]/d);
+        beta = max(beta, antisymmetric_[celli]/d);
+    }
+    reduce(alpha, maxOp<scalar>());
+    reduce(beta, maxOp<scalar>());
+    jacobiRadius_ = alpha;
+    relaxation_ = 2/(1 + Foam::sqrt(max(1 - sqr(alpha), 0.0) + sqr(beta)));
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::redBlackMatrix::redBlackMatrix(const cartesianMesh& grid)
+:
+    nDims_(grid.nDims()),
+    order_(grid),
+    // Slots that no face has stay zero
+    coefficient_(order_.nSlots()*order_.nCells(), 0),
+    symmetric_(order_.nCells()),
+    antisymmetric_(order_.nCells()),
+    diagonal_(nDims_*order_.nCells()),
+    source_(nDims_*order_.nCells()),
+    x_(nDims_*order_.nRows(), 0),
+    singleCoefficient_(coefficient_.size()),
+    singleDiagonal_(diagonal_.size()),
+    residual_(source_.size()),
+    correction_(x_.size(), 0),
+    correctionScale_(1),
+    nSweeps_(0),
+    firstResidual_(0),
+    lastResidual_(0),
+    relaxation_(1),
+    jacobiRadius_(0)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::redBlackMatrix::set(const fvVectorMatrix& equation)
+{
+    setCoefficients(equation);
+    setDiagonal(equation);
+    setRelaxation();
+    correction_ = 0;
+}
+
+
+void Foam::fsi::redBlackMatrix::addToDiagonal
+(
+    const label celli,
+    const scalar value
+)
+{
+    for (label d = 0; d < nDims_; ++d)
+    {
+        diagonal_[nDims_*row(celli) + d] += value;
+    }
+}
+
+
+void Foam::fsi::redBlackMatrix::get(vectorField& U) const
+{
+    const labelUList& rowOf = order_.rowOf();
+    forAll(rowOf, celli)
+    {
+        for (label d = 0; d < nDims_; ++d)
+        {
+            U[celli][d] = x_[nDims_*rowOf[celli] + d];
+        }
+    }
+}
+
+
+void Foam::fsi::redBlackMatrix::addTo(vectorField& U) const
+{
+    const labelUList& rowOf = order_.rowOf();
+    const scalar scale = 1/correctionScale_;
+    forAll(rowOf, celli)
+    {
+        for (label d = 0; d < nDims_; ++d)
+        {
+            const label i = nDims_*rowOf[celli] + d;
+            U[celli][d] += x_[i] + scale*correction_[i];
+        }
+    }
+}
+
+
+// ************************************************************************* //

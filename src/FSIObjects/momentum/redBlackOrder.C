@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "redBlackOrder.H"
+#include "cyclicPolyPatch.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::redBlackOrder::setRows()
+{
+    const cartesianBlock block(grid_.cells());
+    const labelList& blockIndex = grid_.blockIndex();
+    const labelVector& start = block.start();
+
+    boolList red(blockIndex.size());
+    nRed_ = 0;
+    forAll(red, celli)
+    {
+        const labelVector ijk(block.ijk(blockIndex[celli]) + start);
+        red[celli] = (ijk.x() + ijk.y() + ijk.z()) % 2 == 0;
+        nRed_ += red[celli];
+    }
+
+    // In the order of the block, so that neighbours are near in memory
+    labelList order(block.size(), -1);
+    forAll(blockIndex, celli)
+    {
+        order[blockIndex[celli]] = celli;
+    }
+    label nextRed = 0;
+    label nextBlack = nRed_;
+    rowOf_.setSize(red.size());
+    for (const label celli : order)
+    {
+        if (celli >= 0)
+        {
+            rowOf_[celli] = red[celli] ? nextRed++ : nextBlack++;
+        }
+    }
+}
+
+
+Foam::label Foam::fsi::redBlackOrder::nextSlot
+(
+    labelList& neighbourRow,
+    const label celli,
+    const label row
+) const
+{
+    label slot = nSlots_*rowOf_[celli];
+    while (neighbourRow[slot] >= 0)
+    {
+        ++slot;
+    }
+    neighbourRow[slot] = row;
+    return slot;
+}
+
+
+void Foam::fsi::redBlackOrder::setPatchSlots
+(
+    const label patchi,
+    labelList& neighbourRow
+)
+{
+    const polyPatch& patch = grid_.mesh().boundaryMesh()[patchi];
+    const labelUList& cells = patch.faceCells();
+    const label firstGhost = ghosts_.start(patchi);
+    patchSlot_[patchi].setSize(cells.size());
+    forAll(cells, i)
+    {
+        const label row =
+            firstGhost >= 0
+          ? firstGhost + i
+          : rowOf_
+            [
+                refCast<const cyclicPolyPatch>(patch)
+               .neighbPatch().faceCells()[i]
+            ];
+        patchSlot_[patchi][i] = nextSlot(neighbourRow, cells[i], row);
+    }
+}
+
+
+Foam::labelList Foam::fsi::redBlackOrder::setSlots()
+{
+    const fvMesh& mesh = grid_.mesh();
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+
+    labelList neighbourRow(nSlots_*mesh.nCells(), -1);
+    ownerSlot_.setSize(own.size());
+    neighbourSlot_.setSize(own.size());
+    forAll(own, facei)
+    {
+        ownerSlot_[facei] =
+            nextSlot(neighbourRow, own[facei], rowOf_[nei[facei]]);
+        neighbourSlot_[facei] =
+            nextSlot(neighbourRow, nei[facei], rowOf_[own[facei]]);
+    }
+
+    patchSlot_.setSize(mesh.boundary().size());
+    forAll(patchSlot_, patchi)
+    {
+        if (mesh.boundaryMesh()[patchi].coupled())
+        {
+            setPatchSlots(patchi, neighbourRow);
+        }
+    }
+    return neighbourRow;
+}
+
+
+Foam::FixedList<Foam::label, 6> Foam::fsi::redBlackOrder::offsets
+(
+    const labelUList& neighbourRow,
+    const label row
+) const
+{
+    const label* neighbour = neighbourRow.cdata() + nSlots_*row;
+    FixedList<label, 6> offset(Zero);
+    for (label k = 0; k < nSlots_; ++k)
+    {
+        if (neighbour[k] >= 0)
+        {
+            offset[k] = neighbour[k] - row;
+        }
+        else if (k > 0)
+        {
+            offset[k] = offset[0];
+        }
+    }
+    return offset;
+}
+
+
+bool Foam::fsi::redBlackOrder::touchesOwnColour
+(
+    const FixedList<label, 6>& offset,
+    const label row
+) const
+{
+    for (label k = 0; k < nSlots_; ++k)
+    {
+        const label other = row + offset[k];
+        if (other < rowOf_.size() && (other < nRed_) == (row < nRed_))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::fsi::redBlackOrder::setRuns(const labelUList& neighbourRow)
+{
+    bool closed = true;
+    forAll(rowOf_, row)
+    {
+        const FixedList<label, 6> offset(offsets(neighbourRow, row));
+        const bool own = touchesOwnColour(offset, row);
+        if (closed || own || row == nRed_ || runs_.last().offset != offset)
+        {
+            runs_.append(redBlackRun{row, row, offset});
+        }
+        runs_.last().last = row + 1;
+        if (row < nRed_)
+        {
+            nRedRuns_ = runs_.size();
+        }
+        closed = own;
+    }
+    runs_.shrink();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::redBlackOrder::redBlackOrder(const cartesianMesh& grid)
+:
+    grid_(grid),
+    nSlots_(2*grid.nDims()),
+    nRed_(0),
+    ghosts_(grid.mesh()),
+    nRedRuns_(0)
+{
+    setRows();
+    setRuns(setSlots());
+}
+
+
+// ************************************************************************* //
