@@ -131,8 +131,8 @@ TEST(shape, neckBetweenTwoNotchesIsThin)
     // Notches that are not across each other
     EXPECT_NEAR
     (
-        thickness("-2,-1\n0,0\n2,-1\n2,1\n0.3,0.4\n-2,1\n"),
-        0.5,
+        thickness("-2,-1\n0,0\n2,-1\n2,1.5\n0.1,0.4\n-2,2\n"),
+        std::hypot(0.1, 0.4),
         1e-9
     );
 
