@@ -57,7 +57,7 @@ std::vector<copyLink> someLinks(const shapeTemplate& shape, const label copyi)
             link.nodes[i] = shape.faces()[facei][i];
             link.weights[i] = (1.0 + i)/(0.5*n*(n + 1));
         }
-        link.coefficient = 50*(1 + (facei + copyi) % 3);
+        link.coefficient = 250*(1 + (facei + copyi) % 3);
         links.push_back(link);
     }
     return links;

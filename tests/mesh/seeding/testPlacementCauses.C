@@ -17,7 +17,7 @@ TEST(Placement, namesTheCauseOfAMissingPlace)
             std::string("type ") + type + "; shape disc; number 1;";
         expectPieces
         (
-            errorOf(sought + "wallGap 0.46;"), {"wallGap (0.46 m)", "0.08 m"}
+            errorOf(sought + "wallGap 0.46;"), {"wallGap (0.46 m)", "only 0.08"}
         );
         expectPieces
         (
@@ -41,7 +41,7 @@ TEST(Placement, refusesAbsurdCounts)
     expectPieces
     (
         errorOf("type lattice; shape disc; counts (100000 100000 1);"),
-        {"'counts'", "placement a", "1e+10 objects", "no room"}
+        {"'counts'", "placement a", "10000000000 objects", "no room"}
     );
     expectPieces
     (
