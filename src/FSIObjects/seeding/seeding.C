@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "seeding.H"
+#include "bodyMotion.H"
 #include "dictionaryCheck.H"
 #include "nameCheck.H"
+#include "newShapeMesh.H"
 #include "placement.H"
 #include "shapeCheck.H"
 
@@ -52,6 +54,19 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
 }
 
 
+bool Foam::fsi::seeding::needsInside(const dictionary& dict) const
+{
+    const word type
+    (
+        dict.subDict("material").lookupOrDefault<word>("type", "")
+    );
+    const bool solid = domain_.nDims == 3;
+    const bool prescribed =
+        bodyMotion::New(dict.subOrEmptyDict("motion")).valid();
+    return type != "rigid" && !(solid && prescribed);
+}
+
+
 void Foam::fsi::seeding::addShape(const dictionary& dict)
 {
     checkKeys
@@ -90,6 +105,14 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
             (
                 dict.dictName(),
                 shapeDict,
+                newShapeMesh
+                (
+                    dict.subDict("shape"),
+                    domain_.nDims,
+                    nodeSpacing,
+                    meshGrading(dict.subOrEmptyDict("mesh")),
+                    needsInside(dict)
+                ),
                 nodeSpacing,
                 domain_.thickness,
                 domain_.nDims
