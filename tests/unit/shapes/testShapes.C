@@ -101,7 +101,21 @@ TEST(shape, minimumThicknessIsThatOfTheNeck)
     EXPECT_NEAR(shapeOf(circle)->minimumThickness(), 0.2, 1e-3);
     EXPECT_NEAR(shapeOf(ellipse)->minimumThickness(), 0.2, 5e-3);
     EXPECT_NEAR(shapeOf(biconcave)->minimumThickness(), 0.810, 0.01);
-    EXPECT_NEAR(shapeOf(star)->minimumThickness(), 0.165, 0.01);
+
+    // The shortest way between two valleys that are not neighbours
+    const auto valley = [](const scalar turn)
+    {
+        const scalar r = 0.1*(1 + 0.3*std::cos(5*turn));
+        return point(r*std::cos(turn), r*std::sin(turn), 0);
+    };
+    scalar neck = GREAT;
+    for (scalar a = -0.2; a < 0.2; a += 1e-3)
+    {
+        const point p(valley(constant::mathematical::pi/5 + a));
+        const point q(valley(constant::mathematical::pi - a));
+        neck = min(neck, mag(p - q));
+    }
+    EXPECT_NEAR(shapeOf(star)->minimumThickness(), neck, 0.01*neck);
 }
 
 
