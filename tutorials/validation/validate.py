@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs the validation cases named, or all, and writes table.md.
+"""Runs the validation cases named, or all but the long ones, and writes
+table.md.
 
     validate.py [-properties ENTRIES] [NAME...]
 
@@ -17,15 +18,30 @@ import cavity
 import common
 import cylinder
 import discs
+import fixedWalls
 import lubrication
 import migration
+import oscillatingSphere
+import rigidStiff
+import settlingSphere
+import shearBox
 import softDisc
+import suspension
 import timeStep
 
-CASES = {name: function
-         for module in (budget, cavity, cylinder, discs, lubrication,
-                        migration, softDisc, timeStep)
-         for name, function in module.CASES.items()}
+MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
+           timeStep, fixedWalls, shearBox, settlingSphere, rigidStiff,
+           oscillatingSphere, suspension)
+
+
+def collected(name):
+    """The functions of all modules' tables of this name."""
+    return {key: function for module in MODULES
+            for key, function in getattr(module, name, {}).items()}
+
+
+# Run if nothing is named, and only if named
+CASES, LONG = collected("CASES"), collected("LONG")
 
 
 def order(rows):
@@ -72,15 +88,16 @@ def main():
     options = parser.parse_args()
     common.Case.entries = " " + options.properties
     names = options.names
-    unknown = [name for name in names if name not in CASES]
+    every = {**CASES, **LONG}
+    unknown = [name for name in names if name not in every]
     if unknown:
-        sys.exit(f"Unknown cases {unknown}; there are {list(CASES)}")
+        sys.exit(f"Unknown cases {unknown}; there are {list(every)}")
 
     lines = ["| case | grid | reference | here | difference | tolerance "
              "| order | CPU minutes |", "|---|---|---|---|---|---|---|---|"]
     rows = []
     for name in names or CASES:
-        for row in CASES[name]():
+        for row in every[name]():
             rows.append(row)
             lines.append(line(row, rows))
             print(lines[-1], flush=True)

@@ -10,11 +10,17 @@ Eigen::MatrixXd Foam::fsi::rigidBodies::lessMean
     const Eigen::Ref<const Eigen::MatrixXd>& values
 ) const
 {
-    const Eigen::RowVectorXd mean
-    (
-        masses_.transpose()*values/masses_.sum()
-    );
-    return values.rowwise() - mean;
+    // Twice: far from the origin the first mean is rounded
+    Eigen::MatrixXd result(values);
+    for (label i = 0; i < 2; ++i)
+    {
+        const Eigen::RowVectorXd mean
+        (
+            masses_.transpose()*result/masses_.sum()
+        );
+        result.rowwise() -= mean;
+    }
+    return result;
 }
 
 

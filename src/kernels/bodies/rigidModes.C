@@ -93,9 +93,11 @@ Foam::fsi::rigidModes::modeList Foam::fsi::rigidModes::rotations
     for (label copyi = 0; copyi < positions.cols()/nDims; ++copyi)
     {
         arms = positions.middleCols(nDims*copyi, nDims);
-        for (direction d = 0; d < nDims; ++d)
+        // Twice: far from the origin the first mean is rounded
+        for (label i = 0; i < 2*nDims; ++i)
         {
-            arms.col(d).array() -= m.dot(arms.col(d))/mass;
+            auto arm = arms.col(i % nDims);
+            arm.array() -= m.dot(arm)/mass;
         }
         const auto mode = [&](const label k)
         {

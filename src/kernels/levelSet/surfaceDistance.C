@@ -185,10 +185,10 @@ void Foam::fsi::surfaceDistance::update
         setFixed(touched_);
         finish(surfaces, touched_);
     }
-    setFixed(touched);
-    addObjects(surfaces, block, false);
-    finish(surfaces, touched);
     touched_.swap(touched);
+    setFixed(touched_);
+    addObjects(surfaces, block, false);
+    finish(surfaces, touched_);
 }
 
 

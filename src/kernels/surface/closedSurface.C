@@ -38,8 +38,7 @@ Foam::scalar Foam::fsi::closedSurface::centreDistance
     const closedSurface& other
 ) const
 {
-    const vector solved(1, 1, nDims_ == 2 ? 0 : 1);
-    return mag(cmptMultiply(solved, other.centroid_ - centroid_));
+    return mag(cmptMultiply(solved(), other.centroid_ - centroid_));
 }
 
 
@@ -128,7 +127,9 @@ Foam::scalar Foam::fsi::closedSurface::leastDistanceSqr
 
 bool Foam::fsi::closedSurface::nested(const closedSurface& other) const
 {
-    return contains(other.points_[0]) || other.contains(points_[0]);
+    return
+        (other.inside(bounds_, 0) && contains(other.points_[0]))
+     || (inside(other.bounds_, 0) && other.contains(points_[0]));
 }
 
 
@@ -283,13 +284,12 @@ Foam::scalar Foam::fsi::closedSurface::distance
     }
 
     // No more than that of two nodes
-    const vector solved(1, 1, nDims_ == 2 ? 0 : 1);
     scalar nodesSqr = sqr(limit);
     for (const point& p : points_)
     {
         for (const point& q : other.points_)
         {
-            nodesSqr = min(nodesSqr, magSqr(cmptMultiply(solved, p - q)));
+            nodesSqr = min(nodesSqr, magSqr(cmptMultiply(solved(), p - q)));
         }
     }
     const scalar reach = (1 + 1e-9)*sqrt(nodesSqr);

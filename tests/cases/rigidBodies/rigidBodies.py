@@ -5,10 +5,10 @@
     rigidBodies.py FOLDER
 
 1. A rigid disc in a driven cavity follows the path of a stiff elastic one, and
-   turns as it does: their shapes are the same, and what the stiff one deforms
-   is E-6. Two things differ: the stiff one's masses are those of its nodes,
-   which makes its moment of inertia 2 % larger, and its pressure load is a mean
-   over four steps.
+   turns as it does: their outlines are the same, and what the stiff one
+   deforms is 1e-6. Two things differ: the stiff one's masses are those of its
+   nodes, which makes its moment of inertia larger by some (h/R)^2/3, half a
+   percent, and its pressure load is a mean over four steps.
 2. A rigid body of a tenth of the fluid's density, and one that is not convex,
    come to rest when they were pushed: without a driving force the energy can
    only fall.
@@ -23,6 +23,8 @@ import fsiCase
 import results
 
 STEPS = 100
+OUTPUT = 10
+DISC = "shape { type circle; radius 0.2; }"
 CIRCLE = "shape { type circle; radius 0.12; }"
 STAR = "shape { type star; radius 0.12; amplitude 0.3; points 5; }"
 
@@ -30,14 +32,14 @@ STAR = "shape { type star; radius 0.12; amplitude 0.3; points 5; }"
 def cavity(folder, name, material, **changes):
     """Runs a disc in a driven cavity."""
     controls = {"deltaT": 0.01, "endTime": 0.01*STEPS,
-                "writeInterval": STEPS//2}
+                "writeInterval": OUTPUT, "writeFormat": "binary"}
     controls.update(changes)
     case = fsiCase.Case(
-        os.path.join(folder, name), cells=(32, 32), viscosity=0.01,
+        os.path.join(folder, name), cells=(40, 40), viscosity=0.01,
         walls={"top": "(1 0 0)"},
-        shapes=f"disc {{ {CIRCLE} material {{ {material} }} }}",
+        shapes=f"disc {{ {DISC} material {{ {material} }} }}",
         placements="a { type listed; shape disc; objects "
-                   "({ centre (0.45 0.72 0); }); }",
+                   "({ centre (0.42 0.62 0); }); }",
         **controls).set_up()
     case.run("fsiPisoFoam")
     return case
@@ -49,7 +51,7 @@ def same_path(report, folder):
     stiff = cavity(folder, "stiff", "density 1.5; E 1e6;")
     paths = [results.table(case.path, "objects.csv")
              for case in (rigid, stiff)]
-    report.check("all steps", len(paths[0]) == len(paths[1]) == STEPS,
+    report.check("all steps", len(paths[0]) == len(paths[1]) == STEPS//OUTPUT,
                  f"{len(paths[0])} and {len(paths[1])}")
     speed = max(abs(row["velocityX"]) for row in paths[1])
     spin = max(abs(row["angularVelocityZ"]) for row in paths[1])
@@ -75,7 +77,11 @@ def restarted(report, folder, whole):
                   endTime=0.01*STEPS/2)
     case.control(endTime=0.01*STEPS, startFrom="latestTime")
     case.run("fsiPisoFoam")
-    last = [results.table(c.path, "objects.csv")[-1] for c in (whole, case)]
+    # All numbers but the direction of a disc's axes
+    last = [{key: value for key, value in
+             results.table(c.path, "objects.csv")[-1].items()
+             if key not in ("inclination", "deformation")}
+            for c in (whole, case)]
     report.check("restart", last[0] == last[1], f"{last[0]} and {last[1]}")
 
 

@@ -91,11 +91,11 @@ scalar largestSource
 {
     surfacesInBox body(bodyInBox(nDims, split));
     const point centre(centreOf(nDims));
+    const List<point> one({centre});
     body.move
     (
         nDims == 2
-      ? discSurfaces({centre}, radius, 96)
-      : sphereSurfaces({centre}, radius, 4)
+      ? discSurfaces(one, radius, 96) : sphereSurfaces(one, radius, 4)
     );
     const fvMesh& mesh = body.mesh();
     volVectorField U

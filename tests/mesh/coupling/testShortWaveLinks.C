@@ -53,11 +53,13 @@ public:
         ),
         nDims_(nDims)
     {
+        const List<point> disc({point(15.7, 10.2, 0)});
+        const List<point> sphere({point(11.7, 10.2, 8.9)});
         move
         (
             nDims == 2
-          ? discSurfaces({point(15.7, 10.2, 0)}, 7.1, 56)
-          : sphereSurfaces({point(11.7, 10.2, 8.9)}, 7.1, 4)
+          ? discSurfaces(disc, 7.1, 56)
+          : sphereSurfaces(sphere, 7.1, 4)
         );
         const surfaceSet& s = surfaces();
         waves_ = shortWaves::all(s.points(), s.faces(), nDims, 1);

@@ -218,7 +218,8 @@ TEST(TransposedStress, powerAndTorqueInSpaceAreThoseOfTheExactStress)
     for (direction split = 0; split < 3; ++split)
     {
         surfacesInBox spheres(labelVector(16, 14, 12), 3, split);
-        spheres.move(sphereSurfaces({point(8.3, 7.2, 6.1)}, 4.3, 3));
+        const point centre(8.3, 7.2, 6.1);
+        spheres.move(sphereSurfaces(List<point>({centre}), 4.3, 3));
         const pointField& x = spheres.surfaces().points();
         const scalar strength = viscosity*spheres.surfaces().volume(0);
         for (const tensor& G : fields)
@@ -245,20 +246,11 @@ TEST(TransposedStress, powerAndTorqueInSpaceAreThoseOfTheExactStress)
 
         // A cap of one sphere looks out between others
         EXPECT_LT(driveOfLinks(spheres, 0), 0.15*viscosity);
-        const point centre(8.3, 7.2, 6.1);
-        spheres.move
-        (
-            sphereSurfaces
-            (
-                {
-                    centre,
-                    centre + vector(1, 1.5, 0),
-                    centre - vector(0, 1.5, 1)
-                },
-                4.3,
-                3
-            )
-        );
+        const List<point> centres
+        ({
+            centre, centre + vector(1, 1.5, 0), centre - vector(0, 1.5, 1)
+        });
+        spheres.move(sphereSurfaces(centres, 4.3, 3));
         EXPECT_NEAR(driveOfLinks(spheres, 0), 0.5*viscosity, 1e-9);
     }
 }

@@ -51,7 +51,7 @@ std::vector<copyLink> someLinks(const shapeTemplate& shape, const label copyi)
     {
         copyLink link;
         link.nodes = -1;
-        link.weights = 0;
+        link.weights = 0.0;
         for (label i = 0; i < n; ++i)
         {
             link.nodes[i] = shape.faces()[facei][i];

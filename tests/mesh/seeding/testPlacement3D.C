@@ -23,7 +23,7 @@ scalar smallestGap(const packing& space)
     {
         for (label j = 0; j < i; ++j)
         {
-            smallest = min(smallest, space.distance(space.surface(i), j));
+            smallest = space.distance(space.surface(i), j, smallest);
         }
     }
     return smallest;

@@ -190,7 +190,8 @@ TEST(rigidBodies, aTopKeepsItsMomentumAndItsShape)
             }
         }
         EXPECT_LT(mag(group->momentum(0) - momentum), 1e-11*mag(momentum));
-        EXPECT_LT(mag(group->angularMomentum(0) - spin), 1e-11*mag(spin));
+        // Positions are rounded at a distance of some m
+        EXPECT_LT(mag(group->angularMomentum(0) - spin), 1e-10*mag(spin));
         EXPECT_LT(shapeError, 1e-13);
         EXPECT_NEAR(group->volume(0)/volume, 1, 1e-13);
 
@@ -225,7 +226,7 @@ TEST(rigidBodies, followForcesAndTorques)
         (
             Eigen::MatrixXd::Zero(shape->nNodes(), 2*nDims)
         );
-        const vector F(3, -2, nDims == 2 ? 0 : 4);
+        const vector F(3, 2, nDims == 2 ? 0 : 4);
         for (label d = 0; d < nDims; ++d)
         {
             force(1, nDims + d) = F[d];

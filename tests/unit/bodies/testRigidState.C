@@ -13,7 +13,10 @@ TEST(rigidBodies, goOnBitByBit)
 {
     for (const direction nDims : {2, 3})
     {
-        auto shape = rigidShape(blockSurface(lengths, nDims), nDims);
+        auto shape = rigidShape
+        (
+            blockSurface(vector(0.3, 0.2, 0.1), nDims), nDims
+        );
         auto group = bodyGroup::New(*shape, dictionary());
         for (label i = 0; i < 2; ++i)
         {

@@ -109,7 +109,7 @@ void addMoments
 TEST(solidResponse, rotationsAreOrthonormalWithTheMasses)
 {
     auto shape = block();
-    const auto group = deformed(*shape);
+    auto group = deformed(*shape);
     const Eigen::Map<const Eigen::VectorXd> masses
     (
         shape->nodeMasses().cdata(), shape->nNodes()
@@ -142,7 +142,7 @@ TEST(solidResponse, rotationsAreOrthonormalWithTheMasses)
 TEST(solidResponse, isSymmetricAndPositive)
 {
     auto shape = block();
-    const auto group = deformed(*shape);
+    auto group = deformed(*shape);
     const Eigen::MatrixXd a(someForce(*group)), b(someForce(*group));
     Eigen::MatrixXd va, vb;
     group->response().respond(a, va);
@@ -158,7 +158,7 @@ TEST(solidResponse, isSymmetricAndPositive)
 TEST(solidResponse, keepsMomentumAngularMomentumAndVolume)
 {
     auto shape = block();
-    const auto group = deformed(*shape);
+    auto group = deformed(*shape);
     const Eigen::MatrixXd force(someForce(*group));
     Eigen::MatrixXd v;
     group->response().respond(force, v);
@@ -194,7 +194,7 @@ TEST(solidResponse, keepsMomentumAngularMomentumAndVolume)
 TEST(solidResponse, onTheBoundaryIsTheSame)
 {
     auto shape = block();
-    const auto group = deformed(*shape);
+    auto group = deformed(*shape);
     const label nB = shape->nBoundaryNodes();
     Eigen::MatrixXd force(someForce(*group)), v, boundary;
     force.bottomRows(force.rows() - nB).setZero();
@@ -211,7 +211,7 @@ TEST(solidResponse, onTheBoundaryIsTheSame)
 TEST(solidResponse, volumeIsRestoredWithoutChangeOfMomentum)
 {
     auto shape = block();
-    const auto group = deformed(*shape);
+    auto group = deformed(*shape);
     Eigen::MatrixXd v;
     group->response().respond(someForce(*group), v);
     v += 0.3*group->positions();

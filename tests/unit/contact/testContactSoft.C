@@ -112,7 +112,7 @@ void expectGroupResponse(softDiscs& c)
     pair.normal = vector(0.6, -0.8, 0);
 
     contactResponse response;
-    response.reset(c.surfaces, c.bodies, pairs);
+    response.reset(c.surfaces, c.surfaces.velocities(), c.bodies, pairs);
     response.addImpulse(pairi, 0.02*dt);
 
     const label nB = c.shape.nBoundaryNodes();

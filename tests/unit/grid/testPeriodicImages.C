@@ -197,6 +197,7 @@ vector forceOnFirst(const vector& shift, const periodicImages& images)
     const contactStatistics& s = touch.calculate
     (
         surfaces,
+        surfaces.velocities(),
         bodies,
         UList<contactWall>(),
         UList<medialAxisPoint>(),

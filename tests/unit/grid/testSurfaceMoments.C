@@ -44,7 +44,7 @@ TEST(SurfaceMoments, turnWithTheSurface)
     const tensor R(c, -s, 0, s, c, 0, 0, 0, 1);
     for (point& p : surfaces.points())
     {
-        p = R & cmptMultiply(p, vector(1.2, 0.9, 1));
+        p = R & vector(cmptMultiply(p, vector(1.2, 0.9, 1)));
     }
     const surfaceMoments m(surfaces, 0, surfaces.centroid(0));
     EXPECT_LT(mag(m.longAxis() - vector(c, s, 0)), 1e-10);

@@ -101,17 +101,17 @@ TEST(FixedSamples, NewPlacesLabelsAndBlocksAreNoticed)
 
     surfaceSet surfaces(threeBalls(2, 0, true));
     check(surfaces, block);
-    for (label i = 0; i < surfaces.pointStart()[1]; ++i)
-    {
-        surfaces.points()[i].x() += 0.07;
-    }
-    check(surfaces, block);
 
     // One before it: its faces have other labels; then it is gone
     surfaceSet more(2);
     appendBall(more, point(0.2, 0.2, 0), 0.1);
-    appendBall(more, point(0.57, 0.5, 0), 0.2);
+    appendBall(more, point(0.5, 0.5, 0), 0.2);
     more.setFixed(1);
+    check(more, block);
+    for (label i = more.pointStart()[1]; i < more.pointStart()[2]; ++i)
+    {
+        more.points()[i].x() += 0.07;
+    }
     check(more, block);
     surfaceSet fewer(2);
     appendBall(fewer, point(0.2, 0.2, 0), 0.1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "admmSolver.H"
 #include "samples.H"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <gtest/gtest.h>
+#include <random>
 
 #include "surfacePredicates.H"
 #include "../levelSet/testSurfaces.H"
@@ -12,7 +13,7 @@ namespace
 {
 
 //- The corners of an octahedron of radius 1 about a point
-surfaceSet octahedra(const pointField& centres)
+surfaceSet octahedra(const List<point>& centres)
 {
     surfaceSet surfaces(3);
     for (const point& x : centres)
@@ -25,7 +26,7 @@ surfaceSet octahedra(const pointField& centres)
 
 List<labelPair> overlaps
 (
-    const pointField& centres,
+    const List<point>& centres,
     const vector& period = Zero
 )
 {

@@ -146,10 +146,11 @@ Foam::label Foam::fsi::packing::findConflict
 Foam::scalar Foam::fsi::packing::distance
 (
     const closedSurface& candidate,
-    const label objecti
+    const label objecti,
+    const scalar limit
 ) const
 {
-    scalar least = GREAT;
+    scalar least = limit;
     for (const vector& shift : shifts_)
     {
         const closedSurface image(candidate.moved(tensor::I, shift));
