@@ -18,6 +18,7 @@ import cavity
 import common
 import cylinder
 import discs
+import fixedWalls
 import lubrication
 import migration
 import oscillatingSphere
@@ -29,8 +30,8 @@ import suspension
 import timeStep
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
-           shearBox, settlingSphere, rigidStiff, oscillatingSphere, suspension,
-           timeStep)
+           timeStep, fixedWalls, shearBox, settlingSphere, rigidStiff,
+           oscillatingSphere, suspension)
 
 
 def collected(name):

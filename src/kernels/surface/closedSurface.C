@@ -91,8 +91,8 @@ Foam::scalar Foam::fsi::closedSurface::leastDistanceSqr
     // Only faces in the part that both share can be near
     labelList mine(identity(faces_->size()));
     labelList others(identity(other.faces_->size()));
-    boundBox box(other.bounds_);
-    keepNear(mine, box, limit);
+    boundBox box(other.centroid_, other.centroid_);
+    keepNear(mine, box, (1 + 1e-9)*(limit + other.outerRadius_));
     other.keepNear(others, box, limit);
     keepNear(mine, box, limit);
 

@@ -82,7 +82,7 @@ TEST(ClosedSurface, crossedAndEnclosedOnesAreAtDistanceZero)
     (
         const closedSurface& other :
         {
-            box({0.4, 0.4, -1}, {0.6, 0.6, 2}),
+            box({0.2, 0.6, -1}, {0.3, 0.8, 2}),
             box({0.4, 0.4, 0.4}, {0.6, 0.6, 0.6}),
             box({0.9, 0.9, 0.9}, {2, 2, 2})
         }
