@@ -188,7 +188,7 @@ void expectDense(const shapeTemplate& shape, const label nCopies)
             )
         );
         const Eigen::VectorXd start(stacked(predicted, shape, copyi));
-        EXPECT_GT((expected - start).norm(), 0.1*start.norm());
+        EXPECT_GT((expected - start).norm(), 0.01*start.norm());
         EXPECT_LT
         (
             (stacked(v, shape, copyi) - expected).norm(),
