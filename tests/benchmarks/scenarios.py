@@ -13,6 +13,7 @@ that they cover is FRACTION in all rows, from which their size follows.
 import math
 import os
 
+import boxFiles
 import fsiCase
 
 # Of the seeded region, covered by discs or cells
@@ -156,7 +157,7 @@ class Scenario(fsiCase.Case):
         moving = f"type fixedValue; value uniform ({u} {v} 0);"
         self.replace("0/U", "internalField uniform (0 0 0)",
                      f"internalField uniform ({u} {v} 0)")
-        for side in fsiCase.FACES:
+        for side in boxFiles.FACES:
             self.replace("0/U", f"{side} {{ {at_rest}", f"{side} {{ {moving}")
         self.replace("0/U", f"{outflow} {{ {moving}",
                      f"{outflow} {{ type zeroGradient;")

@@ -53,23 +53,30 @@ def field(case, time, name):
     return numbers(read(case, time, name), "internalField")
 
 
+def dimensions(case, time, rank=""):
+    """Of the objects: 2 or 3."""
+    text = read(case, rank, time, "uniform/fsiPopulation")
+    return int(re.search(r"nDims\s+(\d)", text).group(1))
+
+
 def state(case, time, rank=""):
     """Of each object id: shape, and the positions of all nodes, boundary nodes
     first, and the number of boundary nodes; rank is a folder processorN."""
     objects = {}
     folder = os.path.join(case, rank, time, "uniform/fsiObjects")
+    n_dims = dimensions(case, time, rank)
     for shape in sorted(os.listdir(folder)):
         text = read(folder, shape)
         ids = [int(i) for i in numbers(text, "objectIds")]
         flat = numbers(text, "positions")
-        n = len(flat)//(2*len(ids)) if ids else 0
+        n = len(flat)//(n_dims*len(ids)) if ids else 0
         definition = read(case, "constant/fsiObjects", shape)
         n_boundary = int(re.search(r"nBoundaryNodes\s+(\d+)",
                                    definition).group(1))
         for copy, number in enumerate(ids):
-            x = flat[2*n*copy:2*n*copy + n]
-            y = flat[2*n*copy + n:2*n*(copy + 1)]
-            objects[number] = (shape, list(zip(x, y)), n_boundary)
+            columns = (flat[n*i:n*(i + 1)]
+                       for i in range(n_dims*copy, n_dims*(copy + 1)))
+            objects[number] = (shape, list(zip(*columns)), n_boundary)
     return objects
 
 

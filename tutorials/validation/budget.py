@@ -6,7 +6,7 @@ value and a balance are the references."""
 import re
 
 import results
-from common import Case, Field, Row, disc, placed
+from common import Case, Row, disc, placed, wall_layers
 
 # A disc of 7 cells settles; density 2, steps of so many h^2/nu
 STARTS = ((5.76, 1e-3), (57.6, 1e-2), (576, 0.1))
@@ -38,15 +38,6 @@ def start():
                   far[-1] + 1 if far else 1, None, minutes)
 
 
-def wall_stress(case, time):
-    """Shear stress of both walls over the density, per unit of length, in a
-    channel that is cyclic in x."""
-    nx, ny = case.values["cells"]
-    u = Field(case, "U", 0, time).values
-    sums = sum(u[:nx]) + sum(u[nx*(ny - 1):])
-    return case.values["viscosity"]*sums/nx/(case.spacing()/2)
-
-
 def driving():
     """Stress of the walls over what drives a channel with neutrally buoyant
     discs on 30 % of the area, in the mean over the time from 2 to 6."""
@@ -66,7 +57,8 @@ def driving():
                  re.findall(r"driving acceleration ([-+.0-9e]+)", log)]
         found = found[len(found)//3:]
         times = [t for t in results.times(case.path) if float(t) >= 2]
-        stress = sum(wall_stress(case, t) for t in times)/len(times)
+        stress = sum(sum(wall_layers(case, t)) for t in times)/len(times)
+        stress *= case.values["viscosity"]/(case.spacing()/2)
         yield Row(f"channel with discs, Re {reynolds}, walls' stress over "
                   "the driving force", f"d/h = {cells//5}", 1,
                   stress*len(found)/sum(found), None, minutes,

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the validation cases share."""
 
+import itertools
+import math
 import os
 
 import fsiCase
@@ -66,15 +68,14 @@ class Case(fsiCase.Case):
                      f"{len(cells)}\n(\n" + "\n".join(cells) + "\n);")
 
     def set_velocity(self, velocity):
-        """Starts from a velocity (u, v) that is a function of the place."""
-        x0, y0, _, _ = self.values["box"]
-        nx, ny = self.values["cells"]
+        """Starts from a velocity (u, v), in three dimensions (u, v, w), that is
+        a function of the place."""
         h = self.spacing()
-        places = ((x0 + (i + 0.5)*h, y0 + (j + 0.5)*h)
-                  for j in range(ny) for i in range(nx))
+        axes = [[x + (i + 0.5)*h for i in range(n)] for x, n in
+                zip(self.values["box"], self.values["cells"])]
         self.set_field("U", "vector",
-                       ["({!r} {!r} 0)".format(*velocity(*place))
-                        for place in places])
+                       ["({!r} {!r} {!r})".format(*velocity(*place[::-1]), 0)
+                        for place in itertools.product(*axes[::-1])])
 
     def start_from(self, coarse):
         """Takes U and p of the last time of a case with half the cells."""
@@ -107,8 +108,32 @@ class Case(fsiCase.Case):
 
     def spacing(self):
         """Length of a cell."""
-        x0, _, x1, _ = self.values["box"]
-        return (x1 - x0)/self.values["cells"][0]
+        box = self.values["box"]
+        return (box[self.dimensions()] - box[0])/self.values["cells"][0]
+
+    def state_of(self, shape):
+        """The file with the state of the objects of a shape at the start, its
+        text, and the positions of their nodes, one list per component: of one
+        object."""
+        path = f"0/uniform/fsiObjects/{shape}"
+        text = results.read(self.path, path)
+        flat = results.numbers(text, "positions")
+        n = len(flat)//self.dimensions()
+        return path, text, [flat[i:i + n] for i in range(0, len(flat), n)]
+
+    def stretch(self, shape, *factors):
+        """Draws the one object of a shape about the mean of its nodes, by a
+        factor along each axis."""
+        path, text, columns = self.state_of(shape)
+        moved = []
+        for column, factor in zip(columns, factors):
+            centre = sum(column)/len(column)
+            moved += [centre + (x - centre)*factor for x in column]
+        start = text.index("positions")
+        end = text.index(";", start)
+        self.replace(path, text[start:end],
+                     f"positions List<scalar> {len(moved)}("
+                     + " ".join(map(repr, moved)) + ")")
 
 
 class Field:
@@ -117,8 +142,8 @@ class Field:
     def __init__(self, case, name, component=0, time=None):
         time = time or results.times(case.path)[-1]
         flat = results.field(case.path, time, name)
-        self.nx, ny = case.values["cells"]
-        stride = len(flat)//(self.nx*ny)
+        self.nx = case.values["cells"][0]
+        stride = len(flat)//math.prod(case.values["cells"])
         self.values = flat[component::stride]
         self.origin = case.values["box"][:2]
         self.h = case.spacing()
@@ -136,14 +161,34 @@ class Field:
 
 def placed(shape, *centres):
     """Placement of objects at points."""
-    objects = " ".join(f"{{ centre ({x} {y} 0); }}" for x, y in centres)
+    objects = " ".join("{{ centre ({} {} {}); }}".format(*centre, 0)
+                       for centre in centres)
     return f"all {{ type listed; shape {shape}; objects ({objects}); }}"
+
+
+def body(name, shape, material, more=""):
+    """A shape of a name, with further entries."""
+    return (f"{name} {{ shape {{ type {shape} }} "
+            f"material {{ {material} }} {more} }}")
 
 
 def disc(radius, material, more=""):
     """The shape "disc"."""
-    return (f"disc {{ shape {{ type circle; radius {radius}; }} "
-            f"material {{ {material} }} {more} }}")
+    return body("disc", f"circle; radius {radius};", material, more)
+
+
+def sphere(radius, material, more=""):
+    """The shape "sphere"."""
+    return body("sphere", f"sphere; radius {radius};", material, more)
+
+
+def wall_layers(case, time):
+    """Mean velocity u in the cells along the lower and along the upper wall."""
+    nx, ny = case.values["cells"][:2]
+    u = Field(case, "U", 0, time).values
+    layers = [[u[start:start + nx] for start in range(first, len(u), nx*ny)]
+              for first in (0, nx*(ny - 1))]
+    return [sum(map(sum, layer))/(nx*len(layer)) for layer in layers]
 
 
 def at(rows, key, value, wanted):

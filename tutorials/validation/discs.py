@@ -6,13 +6,15 @@ import math
 from common import Case, Row, at, disc, placed
 
 
-def tank(name, cells, density, viscosity, centres, **controls):
+def tank(name, cells, density, viscosity, centres, material="E 1e5;",
+         **controls):
     """A closed box of 2 x 6 cm with discs of diameter 0.25 cm, d/h = cells;
     units are cm, g and s."""
     n = 8*cells
     return Case(
         name, box=(0, 0, 2, 6), cells=(n, 3*n), viscosity=viscosity,
-        gravity="(0 -981 0)", shapes=disc(0.125, f"density {density}; E 1e5;"),
+        gravity="(0 -981 0)",
+        shapes=disc(0.125, f"density {density}; {material}"),
         placements=placed("disc", *centres), **controls)
 
 

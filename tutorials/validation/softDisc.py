@@ -8,10 +8,10 @@ three points about it, (0.3127 0.6439), (0.2894 0.7211), (0.2958 0.7939).
 """
 
 import math
-import statistics
 
 import results
 from common import Case, Field, Row, disc, placed
+from energy import energies, largest_rise, orders
 
 
 def soft_disc():
@@ -55,32 +55,12 @@ def vortex(x, y):
 
 def moving(case, velocity):
     """The nodes of the shape "disc" start with a velocity."""
-    path = "0/uniform/fsiObjects/disc"
-    text = results.read(case.path, path)
-    flat = results.numbers(text, "positions")
-    n = len(flat)//2
-    velocities = [velocity(*x) for x in zip(flat[:n], flat[n:])]
-    case.replace(path, f"List<scalar> {2*n}{{0}};",
-                 "List<scalar> " + f"{2*n}(" + " ".join(
+    path, _, columns = case.state_of("disc")
+    velocities = [velocity(*x) for x in zip(*columns)]
+    n = 2*len(velocities)
+    case.replace(path, f"List<scalar> {n}{{0}};",
+                 f"List<scalar> {n}(" + " ".join(
                      repr(v[i]) for i in (0, 1) for v in velocities) + ");")
-
-
-def energies(case):
-    """Kinetic energy of fluid and disc and elastic energy at the written times
-    after the start, per unit of thickness."""
-    h = case.spacing()
-    table = {round(row["time"], 9): row
-             for row in results.table(case.path, "global.csv")}
-    found = []
-    for time in results.times(case.path)[1:]:
-        fields = [Field(case, *of, time).values
-                  for of in (("signedDistance", 0), ("U", 0), ("U", 1))]
-        # The fluid's part of cut cells, from the distance
-        fluid = 0.5*h*h*sum(min(max(0.5 + phi/h, 0), 1)*(u*u + v*v)
-                            for phi, u, v in zip(*fields))
-        row = table[round(float(time), 9)]
-        found.append((fluid + row["kineticEnergy"]/h, row["elasticEnergy"]/h))
-    return found
 
 
 def taylor_green():
@@ -107,42 +87,16 @@ def taylor_green():
         for name, value in zip(("kinetic", "elastic"), found[-1]):
             yield Row(f"{what}{name} energy at t = 1", grid, None, value, None,
                       minutes)
-        totals = [math.pi**2/400] + [sum(pair) for pair in found]
-        rise = max(b - a for a, b in zip(totals, totals[1:]))/totals[0]
-        yield Row(f"{what}largest rise of the total energy over that at first",
-                  grid, 0, max(rise, 0), 1e-3, minutes)
-    for i, name in enumerate(("kinetic", "elastic")):
-        coarse, fine = ([abs(a[i] - b[i]) for a, b in zip(*pair)]
-                        for pair in zip(ladder, ladder[1:]))
-        for when, order in (
-                ("at t = 1", math.log2(coarse[-1]/fine[-1])),
-                ("up to t = 1", math.log2(max(coarse)/max(fine))),
-                ("in the median of 20 times", statistics.median(
-                    math.log2(a/b) for a, b in zip(coarse, fine)))):
-            yield Row(f"{what}order of the {name} energy {when}",
-                      "h = 1/64 to 1/256", 2, order, 1, minutes)
+        yield largest_rise(what, grid,
+                           [math.pi**2/400] + [sum(pair) for pair in found],
+                           minutes)
+    yield from orders(what, "h = 1/64 to 1/256", ladder, 2, minutes, "t = 1")
 
 
 def largest_speed(case):
     """Of the cells, those inside objects included."""
     u, v = (Field(case, "U", i).values for i in (0, 1))
     return max(math.hypot(a, b) for a, b in zip(u, v))
-
-
-def stretched(case, factor):
-    """The nodes of the shape "disc" are stretched along x, pressed along y."""
-    path = "0/uniform/fsiObjects/disc"
-    text = results.read(case.path, path)
-    flat = results.numbers(text, "positions")
-    n = len(flat)//2
-    centre = [sum(flat[i*n:(i + 1)*n])/n for i in (0, 1)]
-    moved = [c + (x - c)*f for i, (c, f) in
-             enumerate(zip(centre, (factor, 1/factor)))
-             for x in flat[i*n:(i + 1)*n]]
-    start = text.index("positions")
-    end = text.index(";", start)
-    case.replace(path, text[start:end], f"positions List<scalar> {2*n}("
-                 + " ".join(map(repr, moved)) + ")")
 
 
 def box(name, cells, acceleration=0, motion="", end=8):
@@ -164,7 +118,7 @@ def static():
     what = "disc at rest, "
     for name, factor in (("free of stress", 1), ("stretched before", 1.1)):
         case = box(f"{factor}", 32)
-        stretched(case, factor)
+        case.stretch("disc", factor, 1/factor)
         minutes = case.solve_only()
         yield Row(f"{what}{name}, largest speed over sqrt(E/density)",
                   "h = 1/32", 0, largest_speed(case)/10**0.5, 1e-6, minutes)
@@ -190,7 +144,7 @@ def swinging():
             properties="output { objectsEvery 1; }",
             p_tolerance=1e-9, U_tolerance=1e-9,
             deltaT=5e-4, endTime=0.6, writeInterval=0.6).set_up()
-        stretched(case, 1.01)
+        case.stretch("disc", 1.01, 1/1.01)
         minutes = case.solve_only()
         energy = [row["elasticEnergy"]
                   for row in results.table(case.path, "global.csv")]

@@ -20,10 +20,11 @@ import discs
 import lubrication
 import migration
 import softDisc
+import timeStep
 
 CASES = {name: function
          for module in (budget, cavity, cylinder, discs, lubrication,
-                        migration, softDisc)
+                        migration, softDisc, timeStep)
          for name, function in module.CASES.items()}
 
 

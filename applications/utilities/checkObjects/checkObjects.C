@@ -5,8 +5,9 @@ Application
 
 Description
     Checks the objects of a case at its written times: surfaces that overlap or
-    cross themselves, areas, objects lost, double or outside the domain; see
-    Foam::fsi::populationCheck. Overlap is decided with exact predicates.
+    cross themselves, areas or volumes, objects lost, double or outside the
+    domain; see Foam::fsi::populationCheck. Overlap is decided with exact
+    predicates.
     Objects that are fed or leave may lie beyond an open side, and those that
     left are not lost. From global.csv it checks the numbers of objects and
     their areas in every step; on demand the speed of objects and fluid, and
@@ -27,8 +28,8 @@ Usage
         Only the last time
 
       - \par -areaTolerance \<change\>
-        Largest |A/A0 - 1| of an object, A0 the area of its shape; 0.001 if
-        it is not given
+        Largest |A/A0 - 1| of an object, A0 the area of its shape, in 3D the
+        volume; 0.001 if it is not given
 
       - \par -maxSpeed \<speed\>
         Largest speed of a node of an object in any step, and of the fluid at

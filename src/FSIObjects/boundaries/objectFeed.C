@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectFeed.H"
-#include "dictionaryCheck.H"
-#include "randomInPlane.H"
+#include "readBetween.H"
+#include "rotations.H"
 #include "Switch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -12,14 +12,25 @@ namespace Foam
 namespace fsi
 {
 
+//- The entry of what the objects fill
+static word fractionKey(const direction nDims)
+{
+    return nDims == 2 ? "areaFraction" : "volumeFraction";
+}
+
+
 //- The dictionary, after its keys are checked
-static const dictionary& checkedFeed(const dictionary& dict)
+static const dictionary& checkedFeed
+(
+    const dictionary& dict,
+    const direction nDims
+)
 {
     checkKeys
     (
         dict,
         {
-            "shape", "rate", "areaFraction", "velocity", "angularVelocity",
+            "shape", "rate", fractionKey(nDims), "velocity", "angularVelocity",
             "velocityPerturbation", "randomRotation", "rotation",
             "minimumGap", "sideGap", "seed", "startTime", "maxAttempts"
         }
@@ -64,12 +75,12 @@ Foam::label Foam::fsi::objectFeed::readGroup(const dictionary& dict) const
 
 void Foam::fsi::objectFeed::check(const dictionary& dict) const
 {
-    if (dict.found("rate") == dict.found("areaFraction"))
+    const word fraction(fractionKey(shape_.nDims()));
+    if (dict.found("rate") == dict.found(fraction))
     {
         FatalIOErrorInFunction(dict)
-            << "Dictionary " << dict.name()
-            << " needs either the entry 'rate' or the entry 'areaFraction'"
-            << exit(FatalIOError);
+            << "Dictionary " << dict.name() << " needs either the entry 'rate'"
+            << " or the entry '" << fraction << '\'' << exit(FatalIOError);
     }
     if ((velocity_ & domainSides::outward(side_)) >= 0)
     {
@@ -86,23 +97,43 @@ void Foam::fsi::objectFeed::check(const dictionary& dict) const
             << exit(FatalIOError);
     }
 
-    const direction along = 1 - side_/2;
-    const scalar width = bounds_.span()[along];
-    scalar across = GREAT;
+    checkWidth(dict);
+}
+
+
+void Foam::fsi::objectFeed::checkWidth(const dictionary& dict) const
+{
+    // How much wider than the patch in the best of rotations, in two
+    // dimensions one degree apart
+    Random random(1);
+    scalar least = GREAT;
     for (label degrees = 0; degrees < 180; ++degrees)
     {
-        const tensor R(rotationAboutZ(randomRotation_ ? degrees : rotation_));
-        const boundBox box(shape_.moved(R, Zero).bounds());
-        across = min(across, box.span()[along]);
+        const tensor R
+        (
+            !randomRotation_ ? rotation_
+          : shape_.nDims() == 2 ? rotationAboutZ(degrees)
+          : randomRotation(random, 3)
+        );
+        const vector more
+        (
+            shape_.moved(R, Zero).bounds().span() - bounds_.span()
+        );
+        scalar largest = -GREAT;
+        for (direction d = 0; d < 3; ++d)
+        {
+            largest = along(d) ? max(largest, more[d]) : largest;
+        }
+        least = min(least, largest);
     }
-    if (across > width - 2*sideGap_)
+    if (least > -2*sideGap_)
     {
         FatalIOErrorInFunction(dict)
             << "An object of shape " << objects_.shape(group_).name()
-            << ", at least " << across << " m across, never fits through patch "
-            << patch_ << ", " << width << " m, with the entry 'sideGap' "
-            << sideGap_ << " m on either side"
-            << exit(FatalIOError);
+            << " never fits through patch " << patch_ << ", "
+            << bounds_.span() << " m: with the entry 'sideGap' " << sideGap_
+            << " m on either side it is too wide by " << least + 2*sideGap_
+            << " m" << exit(FatalIOError);
     }
 }
 
@@ -119,15 +150,19 @@ bool Foam::fsi::objectFeed::due(const scalar time) const
     }
     // One object more would not exceed the target by more than half of it
     const scalar own = objects_.shape(group_).referenceVolume();
-    scalar area = 0.5*own;
+    scalar size = 0.5*own;
     forAll(objects_.groups(), groupi)
     {
-        area +=
+        size +=
             objects_.groups()[groupi].size()
            *objects_.shape(groupi).referenceVolume();
     }
-    const vector span(grid_.bounds().span());
-    return area <= areaFraction_*span.x()*span.y();
+    scalar domain = fraction_;
+    for (direction d = 0; d < shape_.nDims(); ++d)
+    {
+        domain *= grid_.bounds().span()[d];
+    }
+    return size <= domain;
 }
 
 
@@ -141,24 +176,32 @@ Foam::fsi::objectFeed::objectFeed
     const dictionary& dict
 )
 :
-    patch_(checkedFeed(dict).dictName()),
+    patch_(checkedFeed(dict, objects.nDims()).dictName()),
     grid_(grid),
     objects_(objects),
     side_(sides.findPatch(patch_)),
     bounds_(patchBounds(grid.mesh(), patch_)),
     group_(readGroup(dict)),
-    shape_(objects.shape(group_).points(), objects.shape(group_).faces()),
+    shape_
+    (
+        SubList<point>
+        (
+            objects.shape(group_).points(),
+            objects.shape(group_).nBoundaryNodes()
+        ),
+        objects.shape(group_).faces()
+    ),
     interval_(dict.found("rate") ? 1/readPositive(dict, "rate") : 0),
-    areaFraction_(readNonNegative(dict, "areaFraction", 0)),
+    fraction_(readNonNegative(dict, fractionKey(objects.nDims()), 0)),
     velocity_(dict.get<vector>("velocity")),
     angularVelocity_(dict.lookupOrDefault<vector>("angularVelocity", Zero)),
     velocityPerturbation_(readNonNegative(dict, "velocityPerturbation", 0)),
     randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", true)),
-    rotation_(dict.lookupOrDefault<scalar>("rotation", 0)),
+    rotation_(readRotation(dict, objects.nDims())),
     minimumGap_(readNonNegative(dict, "minimumGap", 3*grid.spacing())),
     sideGap_(readNonNegative(dict, "sideGap", minimumGap_)),
     seed_(dict.lookupOrDefault<label>("seed", 1)),
-    maxAttempts_(label(readPositive(dict, "maxAttempts", 100))),
+    maxAttempts_(readBetween(dict, "maxAttempts", 100, 1, 1000000)),
     nFed_(0),
     nDraws_(0),
     nextTime_(dict.lookupOrDefault<scalar>("startTime", 0)),

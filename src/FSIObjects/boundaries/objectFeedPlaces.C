@@ -1,30 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectFeed.H"
-#include "randomInPlane.H"
+#include "rotations.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::List<Foam::fsi::outline> Foam::fsi::objectFeed::neighbours() const
+Foam::List<Foam::fsi::closedSurface>
+Foam::fsi::objectFeed::neighbours() const
 {
     const surfaceSet& surfaces = objects_.surfaces();
 
     // What can be near an object that starts here
     const scalar reach =
         shape_.bounds().mag() + minimumGap_ + 3*grid_.spacing();
-    const vector margin(reach, reach, 0);
+    const vector margin(reach, reach, reach);
     const boundBox box(bounds_.min() - margin, bounds_.max() + margin);
 
-    DynamicList<outline> found;
+    DynamicList<closedSurface> found;
     for (label objecti = 0; objecti < objects_.size(); ++objecti)
     {
-        if (outline::near(surfaces.bounds(objecti), box, 0))
+        if
+        (
+            closedSurface::near
+            (
+                surfaces.bounds(objecti), box, 0, surfaces.nDims()
+            )
+        )
         {
             const shapeTemplate& shape =
                 objects_.shape(objects_.objectGroup(objecti));
             found.append
             (
-                outline
+                closedSurface
                 (
                     SubList<point>
                     (
@@ -37,7 +44,7 @@ Foam::List<Foam::fsi::outline> Foam::fsi::objectFeed::neighbours() const
             );
         }
     }
-    return List<outline>(std::move(found));
+    return List<closedSurface>(std::move(found));
 }
 
 
@@ -48,34 +55,46 @@ bool Foam::fsi::objectFeed::findPlace
     tensor& rotation
 ) const
 {
-    const List<outline> others(neighbours());
+    const List<closedSurface> others(neighbours());
     const direction normal = side_/2;
-    const direction along = 1 - normal;
     for (label i = 0; i < maxAttempts_; ++i)
     {
-        rotation = rotationAboutZ
-        (
-            randomRotation_ ? 360*random.sample01<scalar>() : rotation_
-        );
+        rotation =
+            randomRotation_
+          ? randomRotation(random, shape_.nDims())
+          : rotation_;
         const boundBox box(shape_.moved(rotation, Zero).bounds());
 
         // Along the patch anywhere, and two cells outside it
-        const scalar first = bounds_.min()[along] + sideGap_ - box.min()[along];
-        const scalar last = bounds_.max()[along] - sideGap_ - box.max()[along];
-        if (last < first)
+        centre = bounds_.centre();
+        bool fits = true;
+        for (direction d = 0; d < 3 && fits; ++d)
+        {
+            if (along(d))
+            {
+                const scalar first =
+                    bounds_.min()[d] + sideGap_ - box.min()[d];
+                const scalar last = bounds_.max()[d] - sideGap_ - box.max()[d];
+                fits = first <= last;
+                if (fits)
+                {
+                    centre[d] =
+                        first + (last - first)*random.sample01<scalar>();
+                }
+            }
+        }
+        if (!fits)
         {
             continue;
         }
-        centre = bounds_.centre();
-        centre[along] = first + (last - first)*random.sample01<scalar>();
         centre[normal] =
             side_ % 2
           ? bounds_.max()[normal] + 2*grid_.spacing() - box.min()[normal]
           : bounds_.min()[normal] - 2*grid_.spacing() - box.max()[normal];
 
-        const outline candidate(shape_.moved(rotation, centre));
+        const closedSurface candidate(shape_.moved(rotation, centre));
         bool free = true;
-        for (const outline& other : others)
+        for (const closedSurface& other : others)
         {
             free = free && !candidate.closerThan(other, minimumGap_);
         }
@@ -97,7 +116,9 @@ void Foam::fsi::objectFeed::feed
 {
     const vector velocity
     (
-        velocity_ + velocityPerturbation_*mag(velocity_)*randomInDisc(random)
+        velocity_
+      + velocityPerturbation_*mag(velocity_)
+       *randomInBall(random, shape_.nDims())
     );
     const label id =
         objects_.append(group_, centre, rotation, velocity, angularVelocity_);

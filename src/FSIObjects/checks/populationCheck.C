@@ -2,8 +2,7 @@
 
 #include "populationCheck.H"
 #include "globalMeshData.H"
-#include "outline.H"
-#include "polygonPredicates.H"
+#include "surfacePredicates.H"
 
 #include <cmath>
 
@@ -14,36 +13,35 @@ namespace Foam
 namespace fsi
 {
 
-//- Outline of an object, its nodes in order
-static pointField outlineOf(const surfaceSet& surfaces, const label objecti)
-{
-    const label start = surfaces.faceStart()[objecti];
-    const labelList loop
-    (
-        outline::loop
-        (
-            SubList<surfaceFace>
-            (
-                surfaces.faces(),
-                surfaces.faceStart()[objecti + 1] - start,
-                start
-            )
-        )
-    );
-    return pointField(surfaces.points(), loop);
-}
-
-
-static bool isFinite(const pointField& points)
+static bool isFinite(const UList<point>& points)
 {
     for (const point& p : points)
     {
-        if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+        if
+        (
+            !std::isfinite(p.x()) || !std::isfinite(p.y())
+         || !std::isfinite(p.z())
+        )
         {
             return false;
         }
     }
     return true;
+}
+
+
+//- Edge length of the cells of a box [m]
+static scalar cellSize
+(
+    const boundBox& bounds,
+    const direction nDims,
+    const fvMesh& mesh
+)
+{
+    const vector span(bounds.span());
+    const label n = mesh.globalData().nTotalCells();
+    return
+        nDims == 2 ? sqrt(span.x()*span.y()/n) : cbrt(cmptProduct(span)/n);
 }
 
 
@@ -91,14 +89,20 @@ void Foam::fsi::populationCheck::result::write(Ostream& os) const
         << crossing.size() << " crossing themselves, "
         << outside.size() << " outside, "
         << left << " left, " << nLost() << " lost, "
-        << twice.size() << " double, area change " << areaChange << nl;
+        << twice.size() << " double, "
+        << (nDims == 2 ? "area" : "volume") << " change " << areaChange << nl;
 
     writeFault(os, "Objects overlap", overlapping);
-    writeFault(os, "Outlines cross themselves", crossing);
+    writeFault
+    (
+        os,
+        nDims == 2 ? "Outlines cross themselves" : "Surfaces cut themselves",
+        crossing
+    );
     writeFault(os, "Coordinates are not numbers", notFinite);
     writeFault(os, "Objects are outside the domain", outside);
     writeFault(os, "Ids are there twice", twice);
-    writeFault(os, "Areas are off", areaOff);
+    writeFault(os, nDims == 2 ? "Areas are off" : "Volumes are off", areaOff);
     if (nLost() != 0)
     {
         os  << "    Objects are lost: " << left << " left, missing are "
@@ -117,14 +121,8 @@ Foam::fsi::populationCheck::populationCheck
 )
 :
     sides_(mesh),
-    spacing_
-    (
-        sqrt
-        (
-            sides_.bounds().span().x()*sides_.bounds().span().y()
-           /mesh.globalData().nTotalCells()
-        )
-    ),
+    nDims_(direction(mesh.nSolutionD())),
+    spacing_(cellSize(sides_.bounds(), nDims_, mesh)),
     areaTolerance_(areaTolerance)
 {}
 
@@ -183,7 +181,7 @@ void Foam::fsi::populationCheck::checkAreas
 bool Foam::fsi::populationCheck::isOutside(const boundBox& box) const
 {
     const boundBox& domain = sides_.bounds();
-    for (label sidei = 0; sidei < 4; ++sidei)
+    for (label sidei = 0; sidei < 2*nDims_; ++sidei)
     {
         const direction d = sidei/2;
         const bool beyondWall =
@@ -206,43 +204,50 @@ bool Foam::fsi::populationCheck::isOutside(const boundBox& box) const
 }
 
 
-void Foam::fsi::populationCheck::checkOutlines
+void Foam::fsi::populationCheck::checkSurfaces
 (
     const population& objects,
     result& found
 ) const
 {
-    DynamicList<pointField> outlines(objects.size());
-    DynamicList<label> ids(objects.size());
+    const surfaceSet& surfaces = objects.surfaces();
+    const labelList& start = surfaces.pointStart();
+    DynamicList<label> simple(objects.size());
     for (label objecti = 0; objecti < objects.size(); ++objecti)
     {
         const label id = objects.objectId(objecti);
-        const pointField polygon(outlineOf(objects.surfaces(), objecti));
-        if (!isFinite(polygon))
+        const SubList<point> points
+        (
+            surfaces.points(), start[objecti + 1] - start[objecti],
+            start[objecti]
+        );
+        if (!isFinite(points))
         {
             found.notFinite.append(id);
             continue;
         }
         const bool isFree =
-            objects.groups()[objects.objectGroup(objecti)].free();
-        if (isFree && isOutside(boundBox(polygon, false)))
+            objects.groups()[objects.objectGroup(objecti)].movesFreely();
+        if (isFree && isOutside(surfaces.bounds(objecti)))
         {
             found.outside.append(id);
         }
-        if (!polygonPredicates::isSimple(polygon))
+        if (surfacePredicates::cutsItself(surfaces, objecti))
         {
             found.crossing.append(id);
             continue;
         }
-        outlines.append(polygon);
-        ids.append(id);
+        simple.append(objecti);
     }
 
     found.overlapping =
-        polygonPredicates::overlapping(outlines, sides_.period());
+        surfacePredicates::overlapping(surfaces, simple, sides_.period());
     for (labelPair& pair : found.overlapping)
     {
-        pair = labelPair(ids[pair.first()], ids[pair.second()]);
+        pair = labelPair
+        (
+            objects.objectId(pair.first()), objects.objectId(pair.second())
+        );
     }
 }
 
@@ -256,18 +261,20 @@ Foam::fsi::populationCheck::check
     const label nLeft
 ) const
 {
-    if (objects.nDims() != 2)
+    if (objects.nDims() != nDims_)
     {
         FatalErrorInFunction
-            << "Objects are checked in two dimensions only"
+            << "The objects have " << label(objects.nDims())
+            << " dimensions, the mesh " << label(nDims_)
             << exit(FatalError);
     }
     result found;
+    found.nDims = nDims_;
     found.objects = objects.size();
     found.left = nLeft;
     checkIds(objects, found);
     checkAreas(objects, found);
-    checkOutlines(objects, found);
+    checkSurfaces(objects, found);
     return found;
 }
 

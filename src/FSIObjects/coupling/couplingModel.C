@@ -28,11 +28,9 @@ Foam::fsi::couplingModel::couplingModel
 :
     system_(system),
     timer_(timer),
-    wallVelocity_(system.objects.surfaces().velocities()),
+    velocity_(system.objects.layout()),
     hydrodynamicForce_(system.objects.surfaces().points().size(), Zero)
-{
-    system.objects.zeroGroups(velocity_);
-}
+{}
 
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
@@ -54,11 +52,11 @@ Foam::autoPtr<Foam::fsi::couplingModel> Foam::fsi::couplingModel::New
 
 // * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
 
-void Foam::fsi::couplingModel::constrainVolume(groupNodal& v) const
+void Foam::fsi::couplingModel::constrain(groupNodal& v) const
 {
     forAll(v, groupi)
     {
-        system_.objects.groups()[groupi].constrainVolume
+        system_.objects.groups()[groupi].constrain
         (
             system_.deltaT(),
             v[groupi]
@@ -67,14 +65,14 @@ void Foam::fsi::couplingModel::constrainVolume(groupNodal& v) const
 }
 
 
-void Foam::fsi::couplingModel::contact(groupNodal& v) const
+void Foam::fsi::couplingModel::contact(nodeVelocities& v) const
 {
     const stepTimer::section section(timer_, stepTimer::part::contact);
     system_.contacts->push(v);
 }
 
 
-void Foam::fsi::couplingModel::limitContact(groupNodal& v) const
+void Foam::fsi::couplingModel::limitContact(nodeVelocities& v) const
 {
     const stepTimer::section section(timer_, stepTimer::part::contact);
     system_.contacts->limit(v);
@@ -126,9 +124,8 @@ void Foam::fsi::couplingModel::solveFluidPressure
 
 void Foam::fsi::couplingModel::renew()
 {
-    system_.objects.zeroGroups(velocity_);
-    wallVelocity_ = system_.objects.surfaces().velocities();
-    hydrodynamicForce_.setSize(wallVelocity_.size());
+    velocity_.reset();
+    hydrodynamicForce_.setSize(system_.objects.layout().nSurface());
     hydrodynamicForce_ = Zero;
 }
 

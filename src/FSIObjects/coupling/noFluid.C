@@ -43,11 +43,13 @@ void Foam::fsi::noFluid::begin
     const Time& time = system_.grid.mesh().time();
     const scalar dt = time.deltaTValue();
 
-    predictShared(system_.objects, time.value() - dt, dt, force, velocity_);
-    constrainVolume(velocity_);
+    predictShared
+    (
+        system_.objects, time.value() - dt, dt, force, velocity_.change()
+    );
+    constrain(velocity_);
     contact(velocity_);
-    constrainVolume(velocity_);
-    system_.objects.toSurface(velocity_, wallVelocity_);
+    constrain(velocity_);
 }
 
 

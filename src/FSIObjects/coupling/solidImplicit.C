@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "filmPressure.H"
+#include "objectResponse.H"
 #include "openLaplacian.H"
 #include "sharedPrediction.H"
 
@@ -31,9 +32,10 @@ Foam::fsi::solidImplicit::solidImplicit
     couplingModel(system, timer, dict),
     viscous_(system),
     term_(system),
-    conductance_(system)
+    conductance_(system),
+    passes_(dict)
 {
-    checkKeys(dict, {"type"});
+    checkKeys(dict, {"type", "passes", "passTolerance"});
 }
 
 
@@ -48,62 +50,16 @@ void Foam::fsi::solidImplicit::pressureForce
     vectorField nodal;
     system_.walls.transposeAtWalls(p, nodal);
     nodal *= system_.fluidDensity;
-    system_.objects.toGroups(nodal, force);
+    system_.objects.layout().toGroups(nodal, force);
 }
 
 
-void Foam::fsi::solidImplicit::addRigid
-(
-    const vectorField& nodal,
-    groupNodal& force
-) const
+void Foam::fsi::solidImplicit::setGradient()
 {
-    groupNodal boundary;
-    system_.toBoundary(nodal, boundary);
-    forAll(force, groupi)
-    {
-        const bodyGroup& group = system_.objects.groups()[groupi];
-        if (!group.free())
-        {
-            continue;
-        }
-        const Eigen::MatrixXd& r = group.response().rotationModes();
-        const scalarField& masses = group.shape().nodeMasses();
-        const Eigen::Map<const Eigen::VectorXd> mass
-        (
-            masses.cdata(),
-            masses.size()
-        );
-        const label nDims = group.shape().nDims();
-        for (label first = 0; first < r.cols(); first += nDims)
-        {
-            const auto f = boundary[groupi].middleCols(first, nDims);
-            const auto mode = r.middleCols(first, nDims);
-            const scalar turn =
-                mode.topRows(f.rows()).cwiseProduct(f).sum();
-            const Eigen::RowVectorXd net(f.colwise().sum()/mass.sum());
-            force[groupi].middleCols(first, nDims) +=
-                mass*net + turn*(mass.asDiagonal()*mode);
-        }
-    }
-}
-
-
-void Foam::fsi::solidImplicit::addResponse
-(
-    const groupNodal& force,
-    groupNodal& velocity
-) const
-{
-    forAll(force, groupi)
-    {
-        if (force[groupi].size())
-        {
-            Eigen::MatrixXd v(force[groupi].rows(), force[groupi].cols());
-            system_.objects.groups()[groupi].respond(force[groupi], v);
-            velocity[groupi] += v;
-        }
-    }
+    gradient_ = system_.fluid.openGradient(oldPressure_());
+    system_.walls.gradientForce(gradient_(), gradientForce_);
+    gradientForce_ *= system_.fluidDensity;
+    system_.fluid.extendGradient(gradient_.ref());
 }
 
 
@@ -117,17 +73,14 @@ void Foam::fsi::solidImplicit::predict
     groupNodal rest(load.size());
     forAll(rest, groupi)
     {
-        bodyGroup& group = system_.objects.groups()[groupi];
-        if (group.divisible())
-        {
-            rest[groupi] = group.splitLoad(load[groupi]);
-        }
+        rest[groupi] =
+            system_.objects.groups()[groupi].splitLoad(load[groupi]);
         load[groupi] += force[groupi];
     }
-    addRigid(gradientForce_, load);
+    addRigidForce(system_, gradientForce_, load);
     predictShared(system_.objects, time, system_.deltaT(), load, predicted_);
-    addResponse(rest, predicted_);
-    constrainVolume(predicted_);
+    addResponse(system_.objects, rest, predicted_);
+    constrain(predicted_);
 }
 
 
@@ -157,20 +110,17 @@ void Foam::fsi::solidImplicit::begin
             p
         )
     );
+    passes_.begin();
     volScalarField& last = oldPressure_.ref();
     fillFilmCells(system_.geometry, last);
-    gradient_ = system_.fluid.openGradient(last);
-    system_.walls.gradientForce(gradient_(), gradientForce_);
-    gradientForce_ *= system_.fluidDensity;
-    system_.fluid.extendGradient(gradient_.ref());
+    setGradient();
 
     vectorField nodal;
     system_.walls.transpose(last.primitiveField(), nodal);
     groupNodal total;
-    system_.objects.toGroups(system_.fluidDensity*nodal, total);
+    system_.objects.layout().toGroups(system_.fluidDensity*nodal, total);
     predict(time, total, force);
-    velocity_ = predicted_;
-    system_.objects.toSurface(velocity_, wallVelocity_);
+    velocity_.change() = predicted_;
 }
 
 
@@ -179,10 +129,9 @@ void Foam::fsi::solidImplicit::solveMomentum(fvVectorMatrix& UEqn)
     volVectorField& U = const_cast<volVectorField&>(UEqn.psi());
     system_.fluid.constrain(UEqn);
 
-    viscous_.solve(UEqn, U, predicted_, velocity_, linkForce_);
-    constrainVolume(velocity_);
+    viscous_.solve(UEqn, U, predicted_, velocity_.change(), linkForce_);
+    constrain(velocity_);
     contact(velocity_);
-    system_.objects.toSurface(velocity_, wallVelocity_);
 }
 
 
@@ -204,7 +153,7 @@ void Foam::fsi::solidImplicit::solvePressure
     vectorField oldPart;
     term_.velocity(last, oldPart);
     scalarField source(p.size());
-    system_.walls.flux(oldPart - wallVelocity_, source);
+    system_.walls.flux(oldPart - velocity_.surface(), source);
     subtractOutflow(phiHbyA, source);
 
     solveWithObjects(p, pEqn.ref(), source);
@@ -215,8 +164,7 @@ void Foam::fsi::solidImplicit::solvePressure
     // Velocities of all nodes with the increment of the pressure
     groupNodal force;
     pressureForce(system_.walls.atWalls(p) - last, force);
-    addResponse(force, velocity_);
-    system_.objects.toSurface(velocity_, wallVelocity_);
+    addResponse(system_.objects, force, velocity_.change());
 }
 
 
@@ -225,22 +173,61 @@ void Foam::fsi::solidImplicit::correctVelocity
     volVectorField& U,
     const volVectorField& last,
     const volScalarField& p,
-    const scalar
+    const scalar rAU
 )
 {
     const tmp<volVectorField> tgradient(system_.fluid.openGradient(p));
     const vectorField& gradient = tgradient().primitiveField();
     const boolList& fluid = system_.geometry.fluidCell();
     const scalarField& V = U.mesh().V();
+    vectorField change(U.size(), Zero);
     vectorField source(U.size(), Zero);
     forAll(source, celli)
     {
         if (fluid[celli])
         {
-            source[celli] = V[celli]*(last[celli] - gradient[celli]);
+            change[celli] = last[celli] - gradient[celli];
+            source[celli] = V[celli]*change[celli];
         }
     }
+    const vectorField before(U.primitiveField());
     viscous_.addResponse(source, U);
+    change *= rAU;
+    passes_.measure(fluid, before, U.primitiveField(), change);
+}
+
+
+bool Foam::fsi::solidImplicit::again(volScalarField& p, const volVectorField&)
+{
+    if (!passes_.more())
+    {
+        Info<< "Passes: " << passes_.done() << ", splitting error: "
+            << passes_.error() << endl;
+        return false;
+    }
+
+    // The objects answer to the change of the load as in (5.9)
+    volScalarField& start = oldPressure_.ref();
+    const scalarField last(system_.walls.atWalls(start.primitiveField()));
+    const vectorField lastForce(gradientForce_);
+    p.primitiveFieldRef() =
+        passes_.next(start.primitiveField(), p.primitiveField());
+    p.correctBoundaryConditions();
+    start.primitiveFieldRef() = p.primitiveField();
+    start.correctBoundaryConditions();
+    setGradient();
+
+    groupNodal load;
+    pressureForce
+    (
+        system_.walls.atWalls(start.primitiveField()) - last,
+        load
+    );
+    addRigidForce(system_, gradientForce_ - lastForce, load);
+    addResponse(system_.objects, load, predicted_);
+    constrain(predicted_);
+    velocity_.change() = predicted_;
+    return true;
 }
 
 
@@ -251,8 +238,7 @@ void Foam::fsi::solidImplicit::end
 )
 {
     limitContact(velocity_);
-    constrainVolume(velocity_);
-    system_.objects.toSurface(velocity_, wallVelocity_);
+    constrain(velocity_);
 
     vectorField nodal;
     system_.walls.transpose(p.primitiveField(), nodal);

@@ -65,7 +65,12 @@ Foam::fsi::fsiObjects::fsiObjects
     timer_(),
     boundaries_(system_.grid, system_.sides, system_.objects, properties_),
     coupling_(select(system_, timer_)),
-    writer_(mesh.time(), properties_.subOrEmptyDict("output")),
+    writer_
+    (
+        mesh.time(),
+        properties_.subOrEmptyDict("output"),
+        system_.grid.nDims()
+    ),
     signedDistance_
     (
         IOobject
@@ -176,7 +181,7 @@ void Foam::fsi::fsiObjects::startStep
     system_.driving->update(U);
 
     fsiSystem::groupNodal force;
-    system_.objects.zeroGroups(force);
+    system_.objects.layout().zero(force);
     system_.addBodyForce(force);
     if (coupling_->hasFluid())
     {

@@ -10,20 +10,28 @@ namespace Foam
 namespace fsi
 {
 
-//- Largest speed of a node of a group [m/s]
-static scalar maxSpeed(const bodyGroup& group, const direction nDims)
+//- Mean velocity of cells of positive signed distance, of all ranks [m/s]
+static vector meanFluidVelocity
+(
+    const volVectorField& U,
+    const levelSetUpdate& levelSet,
+    const labelList& halo
+)
 {
-    const Eigen::MatrixXd& v = group.velocities();
-    scalar largest = 0;
-    for (label copyi = 0; copyi < group.size(); ++copyi)
+    const scalarField& V = U.mesh().V();
+    scalar volume = 0;
+    vector sum(Zero);
+    forAll(halo, celli)
     {
-        largest = max
-        (
-            largest,
-            v.middleCols(nDims*copyi, nDims).rowwise().squaredNorm().maxCoeff()
-        );
+        if (levelSet.cellDistance()[halo[celli]] > 0)
+        {
+            volume += V[celli];
+            sum += V[celli]*U[celli];
+        }
     }
-    return sqrt(largest);
+    reduce(sum, sumOp<vector>());
+    reduce(volume, sumOp<scalar>());
+    return sum/max(volume, VSMALL);
 }
 
 } // End namespace fsi
@@ -37,28 +45,17 @@ void Foam::fsi::fsiObjects::report()
     const population& objects = system_.objects;
     const Time& time = mesh_.time();
 
-    stepRecord record;
+    stepRecord record(stepRecord::sample(objects));
     record.time = time.value();
     record.deltaT = time.deltaTValue();
-    record.objects = objects.size();
     record.removed = boundaries_.nRemoved();
     record.fed = boundaries_.nFed();
-    forAll(objects.groups(), groupi)
-    {
-        const bodyGroup& group = objects.groups()[groupi];
-        record.maxSpeed =
-            max(record.maxSpeed, maxSpeed(group, objects.nDims()));
-        record.kineticEnergy += group.kineticEnergy();
-        record.elasticEnergy += group.elasticEnergy();
-        for (label copyi = 0; copyi < group.size(); ++copyi)
-        {
-            record.areaChange = max
-            (
-                record.areaChange,
-                mag(group.volume(copyi)/group.shape().referenceVolume() - 1)
-            );
-        }
-    }
+    record.fluidVelocity = meanFluidVelocity
+    (
+        mesh_.lookupObject<volVectorField>("U"),
+        *system_.levelSet,
+        system_.grid.haloIndex()
+    );
     const contactStatistics& contacts = system_.contacts->statistics();
     record.contacts = contacts.contacts;
     record.smallestGap = contacts.smallestGap;
@@ -76,11 +73,14 @@ void Foam::fsi::fsiObjects::report()
 void Foam::fsi::fsiObjects::writeRows()
 {
     List<objectRecord> records(objectRecord::sample(system_.objects));
-    const labelList& pointObject = system_.objects.surfaces().pointObject();
+    const surfaceSet& surfaces = system_.objects.surfaces();
+    const labelList& pointObject = surfaces.pointObject();
     forAll(pointObject, nodei)
     {
-        records[pointObject[nodei]].force +=
-            coupling_->hydrodynamicForce()[nodei];
+        objectRecord& r = records[pointObject[nodei]];
+        const vector& force = coupling_->hydrodynamicForce()[nodei];
+        r.force += force;
+        r.torque += (surfaces.points()[nodei] - r.centroid) ^ force;
     }
     const contactStatistics& contacts = system_.contacts->statistics();
     forAll(contacts.objectContacts, objecti)

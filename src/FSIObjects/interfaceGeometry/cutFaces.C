@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "volFields.H"
 #include "cutFaces.H"
 #include "fetchAhead.H"
 #include "levelSetUpdate.H"

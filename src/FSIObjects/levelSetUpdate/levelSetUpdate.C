@@ -96,16 +96,14 @@ Foam::scalar Foam::fsi::levelSetUpdate::centreBubble
 void Foam::fsi::levelSetUpdate::setNearest(const surfaceSet& surfaces)
 {
     centreSamples_.update(surfaces, grid_.cells(1));
-    object_ = centreSamples_.object();
-    for (label& objecti : object_)
-    {
-        objecti = objecti < 0 ? -1 : surfaces.original(objecti);
-    }
 }
 
 
 void Foam::fsi::levelSetUpdate::setFromSurfaces(const surfaceSet& surfaces)
 {
+    centreSamples_.swapDistance(cellDistance_);
+    cornerSamples_.swapDistance(cornerDistance_);
+
     setNearest(surfaces);
     cornerSamples_.update(surfaces, grid_.corners());
 

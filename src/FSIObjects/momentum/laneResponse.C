@@ -9,38 +9,11 @@
 
 Foam::fsi::laneResponse::laneResponse(const bodyGroup& group)
 :
-    viscousResponse(group)
+    sharedResponse(group)
 {}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::laneResponse::makeModes()
-{
-    const bodyResponse& response = group_.response();
-    const label nB = group_.shape().nBoundaryNodes();
-    const Eigen::MatrixXd rotations[2] =
-    {
-        response.rotationModes().topRows(nB),
-        response.elasticRotation().topRows(nB)
-    };
-    for (label mode = 0; mode < 2; ++mode)
-    {
-        modes_[mode] = multiply(rotations[mode]);
-    }
-
-    added_.resize(group_.size());
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        Eigen::Matrix2d E;
-        E.col(0) = project(rotations[0], copyi, 2);
-        E.col(1) = project(rotations[1], copyi, 2);
-        E(0, 0) += 1;
-        E(1, 1) -= 1;
-        added_[copyi] = -E.inverse();
-    }
-}
-
 
 void Foam::fsi::laneResponse::factorBlock
 (
@@ -86,7 +59,6 @@ void Foam::fsi::laneResponse::factorBlock
 
 void Foam::fsi::laneResponse::makeMatrices(const std::vector<copyLink>* links)
 {
-    makeModes();
     factors_.resize
     (
         (group_.size() + lanes() - 1)/lanes()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "viscousCoupling.H"
+#include "shortWaveStress.H"
 #include "shortWaves.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -10,8 +10,8 @@ namespace Foam
 namespace fsi
 {
 
-//- For each row of nodes of each free elastic object and its friction:
-//  action(object, row, friction)
+//- For all four nodes of each object that has free waves, and their friction:
+//  action(object, four, friction)
 template<class Action>
 static void forShortWaves(const fsiSystem& system, const Action& action)
 {
@@ -19,28 +19,30 @@ static void forShortWaves(const fsiSystem& system, const Action& action)
     {
         return;
     }
-    const scalar friction =
-        system.shortWaveStress
-       *shortWaves::friction
-        (
-            system.fluidDensity*system.viscosity,
-            system.grid.thickness()
-        );
+    const scalar viscosity = system.fluidDensity*system.viscosity;
+    const scalar thickness = system.grid.thickness();
     forAll(system.objects.groups(), groupi)
     {
         const bodyGroup& group = system.objects.groups()[groupi];
-        if (!group.free() || group.shape().membrane())
+        const shapeTemplate& shape = group.shape();
+        if (!group.hasFreeWaves())
         {
             continue;
         }
-        for (const auto& row : shortWaves::rows(group.shape()))
+        const auto all = shortWaves::all
+        (
+            shape.points(), shape.faces(), shape.nDims(), thickness
+        );
+        for (const shortWaves::fourNodes& four : all)
         {
+            const scalar friction =
+                system.shortWaveStress*four.friction(viscosity);
             for (label copyi = 0; copyi < group.size(); ++copyi)
             {
                 action
                 (
                     system.objects.objectIndex(groupi, copyi),
-                    row,
+                    four,
                     friction
                 );
             }
@@ -63,9 +65,9 @@ void Foam::fsi::addShortWaves
     forShortWaves
     (
         system,
-        [&](const label objecti, const auto& row, const scalar friction)
+        [&](const label objecti, const auto& four, const scalar friction)
         {
-            links[objecti].push_back({row, shortWaves::difference, friction});
+            links[objecti].push_back({four.nodes, four.difference, friction});
         }
     );
 }
@@ -82,9 +84,9 @@ void Foam::fsi::addShortWaveForce
     forShortWaves
     (
         system,
-        [&](const label objecti, const auto& row, const scalar friction)
+        [&](const label objecti, const auto& four, const scalar friction)
         {
-            shortWaves::addForce(row, start[objecti], friction, v, force);
+            four.addForce(start[objecti], friction, v, force);
         }
     );
 }

@@ -1,38 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "sparseResponse.H"
-#include "membraneMatrix.H"
+#include "blockMatrix.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::sparseResponse::sparseResponse(const bodyGroup& group)
 :
-    viscousResponse(group)
+    woodburyResponse(group)
 {}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::sparseResponse::makeModes()
-{
-    const Eigen::MatrixXd& r = group_.response().rotationModes();
-    const scalarField& masses = group_.shape().nodeMasses();
-    const Eigen::Map<const Eigen::VectorXd> mass
-    (
-        masses.cdata(),
-        masses.size()
-    );
-
-    modes_[0] = mass.asDiagonal()*r;
-    modes_[1] = multiply(r);
-    added_.resize(group_.size());
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        const scalar stiffness = project(r, copyi, 2)[1];
-        added_[copyi] << stiffness + 1, -1, -1, 0;
-    }
-}
-
 
 void Foam::fsi::sparseResponse::factorCopy
 (
@@ -40,11 +19,7 @@ void Foam::fsi::sparseResponse::factorCopy
     const std::vector<copyLink>& links
 )
 {
-    const blockMatrix& A =
-        dynamic_cast<const membraneMatrix&>
-        (
-            group_.response().matrix()
-        ).matrix(copyi);
+    const blockMatrix& A = *group_.response().matrix()->ownMatrix(copyi);
     const blockPattern& pattern = A.pattern();
 
     scalarField values(A.values()/deltaT_);
@@ -79,9 +54,31 @@ void Foam::fsi::sparseResponse::factorCopy
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
+void Foam::fsi::sparseResponse::makeModes()
+{
+    const Eigen::MatrixXd& r =
+        group_.response().modesOf(bodyResponse::modeKind::rotation)[0]->values;
+    const scalarField& masses = group_.shape().nodeMasses();
+    const Eigen::Map<const Eigen::VectorXd> mass
+    (
+        masses.cdata(),
+        masses.size()
+    );
+
+    modes_.resize(2);
+    modes_[0] = mass.asDiagonal()*r;
+    modes_[1] = multiply(r);
+    added_.assign(group_.size(), modeMatrix(2, 2));
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        const scalar stiffness = project(modes_, r, copyi, 2)[1];
+        added_[copyi] << stiffness + 1, -1, -1, 0;
+    }
+}
+
+
 void Foam::fsi::sparseResponse::makeMatrices(const std::vector<copyLink>* links)
 {
-    makeModes();
     factors_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {

@@ -2,8 +2,7 @@
 
 #include "transposedStress.H"
 #include "sumOverRanks.H"
-
-#include <Eigen/Dense>
+#include "tensor.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -11,8 +10,6 @@ namespace Foam
 {
 namespace fsi
 {
-
-typedef Eigen::Matrix2d tensor2D;
 
 //- Wall faces of the surface nodes, each face taken apart by its weights
 static scalarField facesOfNodes
@@ -31,44 +28,122 @@ static scalarField facesOfNodes
 }
 
 
-//- Vectors q of an object's nodes: the sums of v over q are the gradient of the
-//  linear field (or the rotation) nearest to v, each node weighted by its faces
-static std::vector<Eigen::Vector2d> gradientVectors
-(
-    const SubField<point>& x,
-    const SubField<scalar>& weights,
-    const scalar area,
-    const bool linear
-)
+//- The tensor whose product with a vector is the cross product
+static tensor crossProduct(const vector& w)
 {
-    std::vector<Eigen::Vector2d> q(x.size(), Eigen::Vector2d::Zero());
-    const point centre(sum(x*weights)/max(sum(weights), VSMALL));
-    tensor2D moment(tensor2D::Zero());
-    forAll(x, i)
+    return tensor(0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0);
+}
+
+
+//- Axes of the rotations
+static List<vector> rotationAxes(const direction nDims)
+{
+    List<vector> axes({vector(0, 0, 1)});
+    if (nDims == 3)
     {
-        q[i] = Eigen::Vector2d(x[i].x() - centre.x(), x[i].y() - centre.y());
-        moment += weights[i]*q[i]*q[i].transpose();
+        axes.append(List<vector>({vector(1, 0, 0), vector(0, 1, 0)}));
+    }
+    return axes;
+}
+
+
+//- Velocity gradients of size 1, normal to each other: the rotations, and the
+//  strains free of divergence
+static List<tensor> gradients(const direction nDims, const bool linear)
+{
+    const scalar half = Foam::sqrt(0.5);
+    List<tensor> all;
+    for (const vector& axis : rotationAxes(nDims))
+    {
+        all.append(half*crossProduct(axis));
+    }
+    if (linear)
+    {
+        all.append(half*tensor(1, 0, 0, 0, -1, 0, 0, 0, 0));
+        all.append(half*tensor(0, 1, 0, 1, 0, 0, 0, 0, 0));
+    }
+    if (linear && nDims == 3)
+    {
+        all.append(half*tensor(0, 0, 1, 0, 0, 0, 1, 0, 0));
+        all.append(half*tensor(0, 0, 0, 0, 0, 1, 0, 1, 0));
+        all.append(Foam::sqrt(1.0/6)*tensor(1, 0, 0, 0, 1, 0, 0, 0, -2));
+    }
+    return all;
+}
+
+
+namespace
+{
+
+//- Nodes of an object and the wall faces that reach them
+class weightedNodes
+{
+    const SubField<scalar> weights_;
+    const direction nDims_;
+    vectorField arms_;
+    tensor moment_ = Zero;
+
+public:
+
+    weightedNodes
+    (
+        const SubField<point>& x,
+        const SubField<scalar>& weights,
+        const direction nDims
+    )
+    :
+        weights_(weights),
+        nDims_(nDims),
+        arms_(x - sum(x*weights)/max(sum(weights), VSMALL))
+    {
+        forAll(arms_, i)
+        {
+            if (nDims_ == 2)
+            {
+                arms_[i].z() = 0;
+            }
+            moment_ += weights_[i]*(arms_[i]*arms_[i]);
+        }
     }
 
-    tensor2D inverse(tensor2D::Zero());
-    const scalar trace = moment.trace();
-    const scalar determinant = moment.determinant();
-    if (linear && determinant > 1e-6*sqr(trace))
+    //- Factor on the arms in the linear field nearest to the nodes' velocity.
+    //  limit: largest sum of its squares over the weights
+    tensor linearField(const scalar limit) const
     {
-        // Half of what the links resist at most
-        inverse =
-            Foam::sqrt(min(1.0, determinant/(area*trace)))*moment.inverse();
+        tensor moment(moment_);
+        moment.zz() += nDims_ == 2 ? 1 : 0;
+        const scalar trace = tr(moment_);
+        if (det(moment) <= 1e-6*Foam::pow(trace, label(nDims_)))
+        {
+            return Zero;
+        }
+        tensor inverse(inv(moment));
+        inverse.zz() -= nDims_ == 2 ? 1 : 0;
+        return Foam::sqrt(min(1.0, limit/tr(inverse)))*inverse;
     }
-    else if (!linear && trace > 0)
+
+    //- Angular velocity of the nearest rotation per moment of the velocities
+    tensor rotation() const
     {
-        inverse = (2/trace)*tensor2D::Identity();
+        const scalar trace = tr(moment_);
+        const tensor inertia
+        (
+            trace*tensor::I - (nDims_ == 2 ? tensor(Zero) : moment_)
+        );
+        return det(inertia) > 1e-6*pow3(trace) ? inv(inertia) : tensor(Zero);
     }
-    forAll(x, i)
+
+    //- v_i = w_i T r_i
+    void setMode(const tensor& T, const label start, vectorField& v) const
     {
-        q[i] = (weights[i]*inverse*q[i]).eval();
+        forAll(arms_, i)
+        {
+            v[start + i] = weights_[i]*(T & arms_[i]);
+        }
     }
-    return q;
-}
+};
+
+} // End anonymous namespace
 
 } // End namespace fsi
 } // End namespace Foam
@@ -84,39 +159,56 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
     const bool linear
 )
 {
+    const direction nDims = surfaces.nDims();
     const pointField& x = surfaces.points();
     const scalarField weights(facesOfNodes(geometry, x.size()));
-    const vectorField none(x.size(), Zero);
-    std::vector<transposedMode> modes(1, transposedMode{1, none});
-    modes.resize(linear ? 3 : 1, transposedMode{-1, none});
+    const List<tensor> fields(gradients(nDims, linear));
+    const List<vector> axes(rotationAxes(nDims));
+    std::vector<transposedMode> modes;
+    forAll(fields, k)
+    {
+        const scalar sign = k < axes.size() ? 1 : -1;
+        modes.push_back({sign, vectorField(x.size(), Zero)});
+    }
+
+    // Half of what the links resist at most: they have h each, 1 in a plane
+    const scalar conductance = nDims == 2 ? 1 : geometry.grid().spacing();
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
         const label start = surfaces.pointStart()[objecti];
         const label n = surfaces.pointStart()[objecti + 1] - start;
-        const scalar area = surfaces.volume(objecti);
-        const std::vector<Eigen::Vector2d> gradient
+        const scalar volume = surfaces.volume(objecti);
+        const weightedNodes nodes
         (
-            gradientVectors
-            (
-                SubField<point>(x, n, start),
-                SubField<scalar>(weights, n, start),
-                area,
-                linear
-            )
+            SubField<point>(x, n, start),
+            SubField<scalar>(weights, n, start),
+            nDims
         );
-        const scalar strength = Foam::sqrt(0.5*viscosity*area);
-        for (label i = 0; i < n; ++i)
+        const scalar strength = Foam::sqrt(viscosity*volume);
+        const tensor factor
+        (
+            linear
+          ? nodes.linearField(0.5*nDims/(nDims - 1)*conductance/volume)
+          : nodes.rotation()
+        );
+        forAll(fields, k)
         {
-            const Eigen::Vector2d q(strength*gradient[i]);
-            modes[0].vectors[start + i] = vector(-q.y(), q.x(), 0);
-            if (linear)
-            {
-                modes[1].vectors[start + i] = vector(q.x(), -q.y(), 0);
-                modes[2].vectors[start + i] = vector(q.y(), q.x(), 0);
-            }
+            const tensor T
+            (
+                linear
+              ? fields[k] & factor
+              : Foam::sqrt(2.0)*crossProduct(factor & axes[k])
+            );
+            nodes.setMode(strength*T, start, modes[k].vectors);
         }
     }
     return modes;
+}
+
+
+Foam::label Foam::fsi::nRotations(const direction nDims)
+{
+    return nDims == 2 ? 1 : 3;
 }
 
 

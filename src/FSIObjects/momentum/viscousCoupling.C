@@ -1,63 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viscousCoupling.H"
+#include "linkForces.H"
+#include "shortWaveStress.H"
 #include "solverPerformance.H"
 #include "sumOverRanks.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-typedef viscousResponse::copyLink copyLink;
-
-//- Give every rank the links of all ranks, in the order of the ranks
-static void gatherLinks(std::vector<std::vector<copyLink>>& links)
-{
-    if (!severalRanks())
-    {
-        return;
-    }
-
-    DynamicList<scalar> packed;
-    for (std::size_t objecti = 0; objecti < links.size(); ++objecti)
-    {
-        for (const copyLink& link : links[objecti])
-        {
-            packed.append(scalar(objecti));
-            packed.append(link.coefficient);
-            forAll(link.nodes, i)
-            {
-                packed.append(scalar(link.nodes[i]));
-                packed.append(link.weights[i]);
-            }
-        }
-        links[objecti].clear();
-    }
-    const List<scalarList> ranks(gatherOverRanks(scalarList(packed)));
-
-    const label width = 2 + 2*copyLink().nodes.size();
-    for (const scalarList& values : ranks)
-    {
-        for (label start = 0; start < values.size(); start += width)
-        {
-            copyLink link;
-            link.coefficient = values[start + 1];
-            forAll(link.nodes, i)
-            {
-                link.nodes[i] = label(round(values[start + 2 + 2*i]));
-                link.weights[i] = values[start + 3 + 2*i];
-            }
-            links[std::size_t(round(values[start]))].push_back(link);
-        }
-    }
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -73,13 +20,12 @@ Foam::fsi::viscousCoupling::viscousCoupling(const fsiSystem& system)
 
 void Foam::fsi::viscousCoupling::updateTransposedStress()
 {
-    transposed_ = transposedModes(system_);
-    const std::vector<transposedMode> strains
-    (
-        transposed_.begin() + 1,
-        transposed_.end()
-    );
-    transposed_.resize(1);
+    transposed_.clear();
+    std::vector<transposedMode> strains;
+    for (transposedMode& mode : transposedModes(system_))
+    {
+        (mode.sign > 0 ? transposed_ : strains).push_back(std::move(mode));
+    }
 
     const surfaceSet& surfaces = system_.objects.surfaces();
     strainForce_.setSize(surfaces.points().size());
@@ -100,39 +46,25 @@ void Foam::fsi::viscousCoupling::updateResponses
 )
 {
     const population& objects = system_.objects;
-    const labelList& start = objects.surfaces().pointStart();
-    const scalar viscosity = system_.fluidDensity*system_.viscosity;
-
-    copyLinks_.resize(objects.size());
-    for (auto& links : copyLinks_)
-    {
-        links.clear();
-    }
-    for (const wallLink& link : system_.geometry.wallLinks())
-    {
-        const label objecti = link.place.object;
-        copyLink c;
-        c.coefficient = viscosity*link.conductance;
-        forAll(c.nodes, i)
-        {
-            const bool used =
-                i < link.place.nodes.size() && link.place.nodes[i] >= 0;
-            c.nodes[i] = used ? link.place.nodes[i] - start[objecti] : -1;
-            c.weights[i] = used ? link.place.weights[i] : 0;
-        }
-        copyLinks_[objecti].push_back(c);
-    }
-    gatherLinks(copyLinks_);
+    setCopyLinks(system_, copyLinks_);
     addShortWaves(system_, copyLinks_);
 
     updateTransposedStress();
-    fsiSystem::groupNodal rotation;
-    system_.toBoundary(transposed_.front().vectors, rotation);
+    List<std::vector<Eigen::MatrixXd>> resisting(objects.groups().size());
+    fsiSystem::groupNodal nodal;
+    for (const transposedMode& mode : transposed_)
+    {
+        system_.objects.layout().toBoundary(mode.vectors, nodal);
+        forAll(nodal, groupi)
+        {
+            resisting[groupi].push_back(nodal[groupi]);
+        }
+    }
     responses_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
-        if (!group.free())
+        if (!group.movesFreely())
         {
             continue;
         }
@@ -144,7 +76,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         (
             system_.deltaT(),
             copyLinks_.data() + objects.objectIndex(groupi, 0),
-            rotation[groupi],
+            resisting[groupi],
             predicted[groupi]
         );
     }
@@ -158,7 +90,7 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
     links_.addForce(system_.fluidDensity, nodal_);
     sumOverRanks(nodal_);
     nodal_ += strainForce_;
-    system_.toBoundary(nodal_, groupForce_);
+    system_.objects.layout().toBoundary(nodal_, groupForce_);
     forAll(v, groupi)
     {
         if (responses_[groupi])
@@ -183,7 +115,7 @@ void Foam::fsi::viscousCoupling::overRelax(fsiSystem::groupNodal& v)
 
 void Foam::fsi::viscousCoupling::setWalls(const fsiSystem::groupNodal& v)
 {
-    system_.fromBoundary(v, nodalVelocity_);
+    system_.objects.layout().toSurface(v, nodalVelocity_);
     links_.setSources(nodalVelocity_);
 }
 
@@ -197,7 +129,7 @@ void Foam::fsi::viscousCoupling::startCorrection(const scalar norm)
 
 void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
 {
-    system_.fromBoundary(v, nodalVelocity_);
+    system_.objects.layout().toSurface(v, nodalVelocity_);
     links_.setResiduals(nodalVelocity_);
 }
 
@@ -206,25 +138,6 @@ void Foam::fsi::viscousCoupling::setMatrix(const fvVectorMatrix& UEqn)
 {
     matrix_.set(UEqn);
     links_.set(system_.geometry.wallLinks(), system_.viscosity);
-}
-
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::addLinkForce
-(
-    const fsiSystem& system,
-    const volVectorField& U,
-    const vectorField& v,
-    vectorField& force
-)
-{
-    const scalar viscosity = system.fluidDensity*system.viscosity;
-    for (const wallLink& link : system.geometry.wallLinks())
-    {
-        const vector slip(U[link.cell] - link.place.interpolate(v));
-        link.place.spread(force, viscosity*link.conductance*slip);
-    }
 }
 
 

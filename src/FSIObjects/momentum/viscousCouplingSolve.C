@@ -2,6 +2,8 @@
 
 #include "viscousCoupling.H"
 #include "dictionaryCheck.H"
+#include "linkForces.H"
+#include "shortWaveStress.H"
 #include "sumOverRanks.H"
 #include "solverPerformance.H"
 
@@ -68,7 +70,7 @@ void Foam::fsi::viscousCoupling::finish
     );
 
     velocity = predicted;
-    system_.objects.toGroups(force, groupForce_);
+    system_.objects.layout().toGroups(force, groupForce_);
     forAll(velocity, groupi)
     {
         if (responses_[groupi])
@@ -142,14 +144,10 @@ void Foam::fsi::viscousCoupling::solve
 
     updateResponses(predicted);
     setMatrix(UEqn);
-    fsiSystem::groupNodal boundary(predicted.size());
-    forAll(predicted, groupi)
-    {
-        boundary[groupi] = predicted[groupi].topRows
-        (
-            system_.objects.shape(groupi).nBoundaryNodes()
-        );
-    }
+    fsiSystem::groupNodal boundary
+    (
+        system_.objects.layout().boundaryOf(predicted)
+    );
     nodeVelocity(boundary);
     sweep(result, boundary);
     result.print(Info.masterStream(U.mesh().comm()));

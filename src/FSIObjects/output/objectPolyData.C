@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectPolyData.H"
-#include "outline.H"
+#include "outlineLoop.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -97,16 +97,7 @@ Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
         shapes[celli] = objects.objectGroup(objecti);
         if (planar)
         {
-            const label start = surfaces.faceStart()[objecti];
-            data.cells[celli] = outline::loop
-            (
-                SubList<surfaceFace>
-                (
-                    surfaces.faces(),
-                    surfaces.faceStart()[objecti + 1] - start,
-                    start
-                )
-            );
+            data.cells[celli] = outlineLoop(surfaces, objecti);
         }
         else
         {

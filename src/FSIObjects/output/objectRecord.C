@@ -3,41 +3,7 @@
 #include "objectRecord.H"
 #include "csvTable.H"
 #include "population.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Second moments of the area about the centroid: xx, yy, xy [m^4]
-static FixedList<scalar, 3> secondMoments
-(
-    const bodyGroup& group,
-    const label copyi,
-    const point& centroid
-)
-{
-    FixedList<scalar, 3> moments(scalar(0));
-    const auto x = group.positions().middleCols(2*copyi, 2);
-    for (const surfaceFace& face : group.shape().faces())
-    {
-        const scalar ax = x(face[0], 0) - centroid.x();
-        const scalar ay = x(face[0], 1) - centroid.y();
-        const scalar bx = x(face[1], 0) - centroid.x();
-        const scalar by = x(face[1], 1) - centroid.y();
-        const scalar twelfth = (ax*by - ay*bx)/12;
-        moments[0] += twelfth*(ax*ax + ax*bx + bx*bx);
-        moments[1] += twelfth*(ay*ay + ay*by + by*by);
-        moments[2] += twelfth*(ax*ay + bx*by + 0.5*(ax*by + ay*bx));
-    }
-    return moments;
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
+#include "surfaceMoments.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -61,47 +27,89 @@ Foam::fsi::objectRecord::sample(const population& objects)
         r.angularVelocity = group.angularVelocity(copyi);
         r.area = surfaces.volume(objecti);
         r.perimeter = surfaces.surfaceArea(objecti);
-        if (group.shape().nDims() == 2)
+
+        const surfaceMoments m(surfaces, objecti, r.centroid);
+        r.halfAxes = m.halfLengths();
+        r.longAxis = m.longAxis();
+        r.shortAxis = m.shortAxis(surfaces.nDims());
+        r.deformation = m.deformation(surfaces.nDims());
+        r.flowAngle = std::acos(min(r.longAxis.x(), scalar(1)));
+        if (surfaces.nDims() == 2)
         {
-            const FixedList<scalar, 3> moments
+            const symmTensor& M = m.moments();
+            const vector first
             (
-                secondMoments(group, copyi, r.centroid)
+                surfaces.points()[surfaces.pointStart()[objecti]] - r.centroid
             );
-            r.inclination =
-                0.5*std::atan2(2*moments[2], moments[0] - moments[1]);
-            r.phase = std::atan2
-            (
-                group.positions()(0, 2*copyi + 1) - r.centroid.y(),
-                group.positions()(0, 2*copyi) - r.centroid.x()
-            );
+            r.inclination = 0.5*std::atan2(2*M.xy(), M.xx() - M.yy());
+            r.phase = std::atan2(first.y(), first.x());
         }
     }
     return records;
 }
 
 
-Foam::wordList Foam::fsi::objectRecord::columns()
+Foam::wordList Foam::fsi::objectRecord::columns(const direction nDims)
 {
-    return wordList
+    wordList names
     ({
         "time", "object", "shape",
         "centroidX", "centroidY", "centroidZ",
         "velocityX", "velocityY", "velocityZ",
-        "angularVelocityX", "angularVelocityY", "angularVelocityZ",
-        "area", "perimeter", "inclination", "phase",
-        "forceX", "forceY", "forceZ",
-        "contacts", "smallestGap"
+        "angularVelocityX", "angularVelocityY", "angularVelocityZ"
     });
+    names.append
+    (
+        nDims == 2
+      ? wordList({"area", "perimeter", "inclination", "phase"})
+      : wordList({"volume", "surface"})
+    );
+    names.append
+    (
+        wordList
+        ({
+            "forceX", "forceY", "forceZ",
+            "contacts", "smallestGap",
+            "torqueX", "torqueY", "torqueZ",
+            "deformation"
+        })
+    );
+    if (nDims == 3)
+    {
+        names.append
+        (
+            wordList
+            ({
+                "flowAngle", "halfAxisA", "halfAxisB", "halfAxisC",
+                "longAxisX", "longAxisY", "longAxisZ",
+                "shortAxisX", "shortAxisY", "shortAxisZ"
+            })
+        );
+    }
+    return names;
 }
 
 
-void Foam::fsi::objectRecord::write(csvTable& table, const scalar time) const
+void Foam::fsi::objectRecord::write
+(
+    csvTable& table,
+    const scalar time,
+    const direction nDims
+) const
 {
-    table.row()
-        << time << object << shape
+    csvTable::rowWriter row(table);
+    row << time << object << shape
         << centroid << velocity << angularVelocity
-        << area << perimeter << inclination << phase << force
-        << contacts << smallestGap;
+        << area << perimeter;
+    if (nDims == 2)
+    {
+        row << inclination << phase;
+    }
+    row << force << contacts << smallestGap << torque << deformation;
+    if (nDims == 3)
+    {
+        row << flowAngle << halfAxes << longAxis << shortAxis;
+    }
 }
 
 

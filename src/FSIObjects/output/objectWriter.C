@@ -8,8 +8,14 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::objectWriter::objectWriter(const Time& time, const dictionary& dict)
+Foam::fsi::objectWriter::objectWriter
+(
+    const Time& time,
+    const dictionary& dict,
+    const direction nDims
+)
 :
+    nDims_(nDims),
     globalEvery_(readAtLeast(dict, "globalEvery", 1, 1)),
     objectsEvery_(readAtLeast(dict, "objectsEvery", 0, 0)),
     nSteps_(0)
@@ -33,7 +39,7 @@ Foam::fsi::objectWriter::objectWriter(const Time& time, const dictionary& dict)
 
     objectTable_.reset
     (
-        new csvTable(folder/"objects.csv", objectRecord::columns())
+        new csvTable(folder/"objects.csv", objectRecord::columns(nDims_))
     );
     globalTable_.reset
     (
@@ -71,7 +77,7 @@ void Foam::fsi::objectWriter::writeRows
     {
         for (const objectRecord& record : records)
         {
-            record.write(objectTable_(), time);
+            record.write(objectTable_(), time, nDims_);
         }
     }
 }

@@ -2,8 +2,65 @@
 
 #include "stepRecord.H"
 #include "csvTable.H"
+#include "population.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Largest speed of a node of a group [m/s]
+static scalar maxSpeed(const bodyGroup& group, const direction nDims)
+{
+    const Eigen::MatrixXd& v = group.velocities();
+    scalar largest = 0;
+    for (label copyi = 0; copyi < group.size(); ++copyi)
+    {
+        largest = max
+        (
+            largest,
+            v.middleCols(nDims*copyi, nDims).rowwise().squaredNorm().maxCoeff()
+        );
+    }
+    return sqrt(largest);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsi::stepRecord Foam::fsi::stepRecord::sample(const population& objects)
+{
+    stepRecord record;
+    record.objects = objects.size();
+    scalar sumVolume = 0;
+    forAll(objects.groups(), groupi)
+    {
+        const bodyGroup& group = objects.groups()[groupi];
+        record.maxSpeed =
+            max(record.maxSpeed, fsi::maxSpeed(group, objects.nDims()));
+        record.kineticEnergy += group.kineticEnergy();
+        record.elasticEnergy += group.elasticEnergy();
+        for (label copyi = 0; copyi < group.size(); ++copyi)
+        {
+            const scalar volume = group.volume(copyi);
+            sumVolume += volume;
+            record.objectVelocity += volume*group.velocity(copyi);
+            record.areaChange = max
+            (
+                record.areaChange,
+                mag(volume/group.shape().referenceVolume() - 1)
+            );
+        }
+    }
+    record.objectVelocity /= max(sumVolume, VSMALL);
+    return record;
+}
+
 
 Foam::wordList Foam::fsi::stepRecord::columns()
 {
@@ -13,7 +70,9 @@ Foam::wordList Foam::fsi::stepRecord::columns()
         "kineticEnergy", "elasticEnergy", "contactEnergy", "areaChange",
         "misfit", "rebuilds", "fluidSeconds", "pressureSeconds",
         "levelSetSeconds", "solidsSeconds", "contactSeconds", "couplingSeconds",
-        "removed", "fed", "maxSpeed"
+        "removed", "fed", "maxSpeed",
+        "fluidVelocityX", "fluidVelocityY", "fluidVelocityZ",
+        "objectVelocityX", "objectVelocityY", "objectVelocityZ"
     });
 }
 
@@ -28,7 +87,7 @@ void Foam::fsi::stepRecord::write(csvTable& table) const
     {
         row << s;
     }
-    row << removed << fed << maxSpeed;
+    row << removed << fed << maxSpeed << fluidVelocity << objectVelocity;
 }
 
 

@@ -8,6 +8,23 @@
 const Foam::word Foam::fsi::population::folder("fsiObjects");
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- True if bodies with this motion stay where they are
+static bool stays(const dictionary& motion)
+{
+    return motion.lookupOrDefault<word>("type", "") == "fixed";
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::population::renumber()
@@ -21,9 +38,11 @@ void Foam::fsi::population::renumber()
 
     objectGroup_.resize(groupStart_.last());
     surfaces_.clear();
+    layout_.clear();
     forAll(groups_, groupi)
     {
         const shapeTemplate& s = shapes_[groupi];
+        layout_.append(s.nNodes(), s.nBoundaryNodes(), groups_[groupi].size());
         pointField boundary
         (
             SubField<point>(s.points(), s.nBoundaryNodes())
@@ -34,7 +53,11 @@ void Foam::fsi::population::renumber()
         }
         for (label copyi = 0; copyi < groups_[groupi].size(); ++copyi)
         {
-            surfaces_.append(boundary, s.faces());
+            const label objecti = surfaces_.append(boundary, s.faces());
+            if (stays(motions_[groupi]))
+            {
+                surfaces_.setFixed(objecti);
+            }
         }
         SubList<label>
         (
@@ -42,14 +65,6 @@ void Foam::fsi::population::renumber()
         ) = groupi;
     }
 
-    nodeMass_.resize(surfaces_.points().size());
-    for (label objecti = 0; objecti < size(); ++objecti)
-    {
-        const label start = surfaces_.pointStart()[objecti];
-        const label n = surfaces_.pointStart()[objecti + 1] - start;
-        SubField<scalar>(nodeMass_, n, start) =
-            SubField<scalar>(shapes_[objectGroup_[objecti]].nodeMasses(), n);
-    }
     updateSurfaces();
 }
 
@@ -62,6 +77,7 @@ Foam::fsi::population::population(const Time& time)
 {
     readCounters();
     surfaces_ = surfaceSet(nDims_);
+    layout_ = nodeLayout(nDims_);
     readGroups();
     renumber();
 }
@@ -79,20 +95,36 @@ Foam::fsi::population::population
     planeZ_(planeZ),
     nextObjectId_(0),
     groupStart_(1, Zero),
-    surfaces_(nDims)
+    surfaces_(nDims),
+    layout_(nDims)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::fsi::population::nNodes() const
+bool Foam::fsi::population::movesFreely(const label objecti) const
 {
-    label n = 0;
+    return groups_[objectGroup_[objecti]].movesFreely();
+}
+
+
+void Foam::fsi::population::updateSurfaces()
+{
+    nodeLayout::groupNodal values(groups_.size());
     forAll(groups_, groupi)
     {
-        n += groups_[groupi].size()*shapes_[groupi].nNodes();
+        values[groupi] = groups_[groupi].velocities();
     }
-    return n;
+    layout_.toSurface(values, surfaces_.velocities());
+    forAll(groups_, groupi)
+    {
+        values[groupi] = groups_[groupi].positions();
+    }
+    layout_.toSurface(values, surfaces_.points());
+    if (nDims_ == 2)
+    {
+        surfaces_.points().replace(vector::Z, planeZ_);
+    }
 }
 
 
@@ -131,8 +163,14 @@ Foam::label Foam::fsi::population::findGroup(const word& shapeName) const
 
 void Foam::fsi::population::wrap(const periodicImages& images)
 {
-    for (bodyGroup& group : groups_)
+    forAll(groups_, groupi)
     {
+        // What is fixed is where it was put, and may reach out on both sides
+        if (stays(motions_[groupi]))
+        {
+            continue;
+        }
+        bodyGroup& group = groups_[groupi];
         for (label copyi = 0; copyi < group.size(); ++copyi)
         {
             const labelVector n =
@@ -172,7 +210,7 @@ Foam::label Foam::fsi::population::addShape
     }
     shapes_.append(shape);
     motions_.append(motion);
-    groups_.append(new bodyGroup(shapes_.last(), motions_.last()));
+    groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
     renumber();
     return groups_.size() - 1;
 }

@@ -86,7 +86,7 @@ void Foam::fsi::population::readGroups()
             input(time_, time_.timeName(), "uniform"/folder, name)
         );
         motions_.append(state.subDict("motion"));
-        groups_.append(new bodyGroup(shapes_.last(), motions_.last()));
+        groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
         groups_.last().read(state);
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "sharedPrediction.H"
+#include "admmSolver.H"
 #include "Pstream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -163,7 +164,7 @@ void Foam::fsi::predictShared
             Pstream::myProcNo(),
             [&](const label groupi, const labelRange& copies)
             {
-                groups[groupi].predict
+                groups[groupi].predictRange
                 (
                     dt,
                     force[groupi],

@@ -21,7 +21,7 @@ Foam::labelList Foam::fsi::objectsConductance::inside() const
             const label o = nearest[place[celli]];
             const label objecti = o < 0 ? o : system_.surfaces().original(o);
             result[celli] =
-                objecti >= 0 && system_.objects.free(objecti)
+                objecti >= 0 && system_.objects.movesFreely(objecti)
               ? objecti
               : label(insulator);
         }

@@ -8,27 +8,20 @@ void Foam::fsi::objectsConductance::rowSums(scalarField& d) const
 {
     vectorField uniform(system_.walls.uniformForce());
     fsiSystem::groupNodal force;
-    system_.toBoundary(uniform, force);
+    system_.objects.layout().toBoundary(uniform, force);
 
     const scalar dt = system_.deltaT();
     forAll(force, groupi)
     {
-        if (system_.objects.groups()[groupi].free())
-        {
-            Eigen::MatrixXd v;
-            system_.objects.groups()[groupi].response().matrix().solveBoundary
-            (
-                force[groupi],
-                v
-            );
-            force[groupi] = (dt*system_.fluidDensity)*v;
-        }
-        else
-        {
-            force[groupi].setZero();
-        }
+        Eigen::MatrixXd v;
+        system_.objects.groups()[groupi].response().respondRoughly
+        (
+            force[groupi],
+            v
+        );
+        force[groupi] = (dt*system_.fluidDensity)*v;
     }
-    system_.fromBoundary(force, uniform);
+    system_.objects.layout().toSurface(force, uniform);
     system_.walls.addGrossFluxAtWalls(uniform, d);
 }
 
@@ -46,15 +39,12 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
         const label copyi = system_.objects.objectCopy(objecti);
         const bodyGroup& group =
             system_.objects.groups()[system_.objects.objectGroup(objecti)];
-        if (group.free())
+        const label i = nodei - surfaces.pointStart()[objecti];
+        for (direction d = 0; d < group.shape().nDims(); ++d)
         {
-            const responseMatrix& A = group.response().matrix();
-            const label i = nodei - surfaces.pointStart()[objecti];
-            for (direction d = 0; d < group.shape().nDims(); ++d)
-            {
-                mobility[nodei][d] =
-                    dt*system_.fluidDensity/A.diagonal(copyi, i, d);
-            }
+            mobility[nodei][d] =
+                dt*system_.fluidDensity
+               *group.response().roughMobility(copyi, i, d);
         }
     }
 

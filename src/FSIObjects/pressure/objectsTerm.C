@@ -20,19 +20,19 @@ void Foam::fsi::objectsTerm::velocity
 {
     system_.walls.transposeAtWalls(p, nodal_);
     nodal_ *= system_.fluidDensity;
-    system_.toBoundary(nodal_, force_);
+    system_.objects.layout().toBoundary(nodal_, force_);
 
     velocity_.setSize(force_.size());
     forAll(force_, groupi)
     {
         velocity_[groupi].resize(force_[groupi].rows(), force_[groupi].cols());
-        system_.objects.groups()[groupi].respondBoundary
+        system_.objects.groups()[groupi].response().respondBoundary
         (
             force_[groupi],
             velocity_[groupi]
         );
     }
-    system_.fromBoundary(velocity_, v);
+    system_.objects.layout().toSurface(velocity_, v);
 }
 
 

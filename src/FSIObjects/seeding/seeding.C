@@ -2,17 +2,17 @@
 
 #include "seeding.H"
 #include "dictionaryCheck.H"
-#include "outlineTools.H"
+#include "nameCheck.H"
 #include "placement.H"
-#include "shape.H"
+#include "shapeCheck.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::seeding::addShapes(const dictionary& dict)
 {
-    List<outline> outlines;
+    List<closedSurface> surfaces;
     wordList names;
-    DynamicList<bool> prescribed;
+    boolList prescribed;
     for (const entry& e : dict)
     {
         if (!e.isDict())
@@ -22,13 +22,20 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
                 << dict.name() << " must be the dictionary of a shape"
                 << exit(FatalIOError);
         }
+        checkName(dict, e.keyword());
         addShape(e.dict());
 
         const shapeTemplate& shape = objects_.groups().last().shape();
-        outlines.append(outline(shape.points(), shape.faces()));
+        surfaces.append
+        (
+            closedSurface
+            (
+                SubList<point>(shape.points(), shape.nBoundaryNodes()),
+                shape.faces()
+            )
+        );
         names.append(shape.name());
-        prescribed.append(!objects_.groups().last().free());
-        checkThickness(e.dict(), outlines.last());
+        prescribed.append(!objects_.groups().last().movesFreely());
     }
     space_.reset
     (
@@ -37,9 +44,9 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
             domain_.bounds,
             domain_.spacing,
             names,
-            outlines,
+            surfaces,
             domain_.period,
-            boolList(prescribed)
+            prescribed
         )
     );
 }
@@ -56,7 +63,7 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
         }
     );
     checkSubDicts(dict, {"shape", "mesh", "material", "admm", "motion"});
-    checkArea(dict);
+    checkShape(dict, domain_);
     const scalar nodeSpacing =
         readPositive(dict, "nodeSpacing", domain_.spacing);
     if (nodeSpacing < 0.65*domain_.spacing)
@@ -93,50 +100,6 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
 }
 
 
-void Foam::fsi::seeding::checkArea(const dictionary& dict) const
-{
-    const scalar area = mag
-    (
-        outlineTools::area
-        (
-            shape::New(dict.subDict("shape"), domain_.nDims)->curve()
-        )
-    );
-    const vector span = domain_.bounds.span();
-    if (area > span.x()*span.y())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'shape' of dictionary " << dict.name()
-            << " describes an object of " << area
-            << " m2, which is more than that of the domain, "
-            << span.x()*span.y() << " m2" << exit(FatalIOError);
-    }
-}
-
-
-void Foam::fsi::seeding::checkThickness
-(
-    const dictionary& dict,
-    const outline& shape
-) const
-{
-    const scalar cells = readNonNegative(dict, "minimumCells", 3);
-    const scalar least = cells*domain_.spacing;
-    const scalar thickness = outlineTools::minimumThickness(shape.points());
-    if (thickness < least)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'shape' of dictionary " << dict.name()
-            << " describes an object that is " << thickness
-            << " m thick at its thinnest, which is less than " << cells
-            << " cells, " << least << " m (entry 'minimumCells')" << nl
-            << "Take a finer mesh or a larger shape; a smaller minimumCells"
-            << " is at your own risk"
-            << exit(FatalIOError);
-    }
-}
-
-
 void Foam::fsi::seeding::place(const dictionary& dict)
 {
     for (const entry& e : dict)
@@ -165,7 +128,7 @@ void Foam::fsi::seeding::checkContacts() const
         }
         const label found = space_->findConflict
         (
-            space_->objectOutline(i), domain_.contactRange, i
+            space_->surface(i), domain_.contactRange, i
         );
         if (found >= 0 && nTouching++ == 0)
         {
@@ -176,7 +139,7 @@ void Foam::fsi::seeding::checkContacts() const
     if (nTouching)
     {
         const scalar gap =
-            space_->distance(space_->objectOutline(first), other);
+            space_->distance(space_->surface(first), other);
         WarningInFunction
             << nTouching << " objects are nearer to another than the range of"
             << " contact, " << domain_.contactRange
@@ -222,12 +185,6 @@ Foam::fsi::seeding::seeding
     domain_(domain),
     objects_(time, domain.nDims, domain.bounds.centre().z())
 {
-    if (domain_.nDims != 2)
-    {
-        FatalErrorInFunction
-            << "Objects can be seeded in two dimensions only so far"
-            << exit(FatalError);
-    }
     checkKeys(dict, {"FoamFile", "shapes", "placements"});
     addShapes(dict.subDict("shapes"));
     place(dict.subDict("placements"));
@@ -240,27 +197,28 @@ Foam::fsi::seeding::seeding
 
 void Foam::fsi::seeding::report(Ostream& os) const
 {
-    const vector span = domain_.bounds.span();
-    const scalar domainArea = span.x()*span.y();
-
-    scalar sumArea = 0;
+    const bool plane = domain_.nDims == 2;
+    const char* size = plane ? "area " : "volume ";
+    const char* unit = plane ? " m2" : " m3";
+    const char* fraction = plane ? ", area fraction " : ", volume fraction ";
+    scalar sum = 0;
     forAll(objects_.groups(), groupi)
     {
         const bodyGroup& group = objects_.groups()[groupi];
         const shapeTemplate& shape = group.shape();
-        const scalar area = group.size()*shape.referenceVolume();
-        sumArea += area;
+        const scalar ofShape = group.size()*shape.referenceVolume();
+        sum += ofShape;
         os  << "    " << shape.name() << ": " << group.size() << " objects of "
             << shape.nNodes() << " nodes (" << shape.nBoundaryNodes()
-            << " on the boundary), area " << shape.referenceVolume()
-            << " m2, mass " << shape.mass() << " kg, "
-            << (group.free() ? "free" : "prescribed motion")
-            << ", area fraction " << area/domainArea << nl;
+            << " on the boundary), " << size << shape.referenceVolume()
+            << unit << ", mass " << shape.mass() << " kg, "
+            << (group.movesFreely() ? "free" : "prescribed motion")
+            << fraction << ofShape/domain_.size() << nl;
     }
     os  << "    all: " << objects_.size() << " objects, "
         << objects_.nNodes() << " nodes, "
         << objects_.surfaces().points().size() << " on the boundary"
-        << ", area fraction " << sumArea/domainArea << endl;
+        << fraction << sum/domain_.size() << endl;
 }
 
 

@@ -189,6 +189,13 @@ void Foam::fsi::cellCoverage::update(const population& objects)
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
+        if (group.shape().elements().empty())
+        {
+            FatalErrorInFunction
+                << "Shape " << group.shape().name() << " has no elements"
+                << " inside, as rigid ones: fsiPisoFoam knows such objects, the"
+                << " stock solvers do not" << exit(FatalError);
+        }
         for (label copyi = 0; copyi < group.size(); ++copyi)
         {
             for (const bodyElement& element : group.shape().elements())

@@ -39,7 +39,7 @@ Foam::fsi::directForcing::directForcing
     coverage_(system.grid, max(label(readPositive(dict, "samples", 4)), 1))
 {
     checkKeys(dict, {"type", "strength", "virtualMass", "samples"});
-    system.objects.zeroGroups(load_);
+    system.objects.layout().zero(load_);
     lastVelocity_ = objectVelocities();
 }
 
@@ -108,7 +108,7 @@ void Foam::fsi::directForcing::takeLoad(const vectorField& U)
         reaction[i] = rho*coefficient_[i]*(U[cells[i]] - cellVelocity_[i]);
     }
     groupNodal load;
-    system_.objects.zeroGroups(load);
+    system_.objects.layout().zero(load);
     coverage_.spread(reaction, load);
 
     forAll(load, groupi)
@@ -154,7 +154,7 @@ void Foam::fsi::directForcing::begin
 void Foam::fsi::directForcing::renew()
 {
     noFluid::renew();
-    system_.objects.zeroGroups(load_);
+    system_.objects.layout().zero(load_);
     lastVelocity_ = objectVelocities();
 }
 

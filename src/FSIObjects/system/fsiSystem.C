@@ -134,73 +134,10 @@ void Foam::fsi::fsiSystem::addOutsidePressure
     walls.outsideForce(p, nodal);
     nodal *= fluidDensity;
     groupNodal outside;
-    objects.toGroups(nodal, outside);
+    objects.layout().toGroups(nodal, outside);
     forAll(force, groupi)
     {
         force[groupi] += outside[groupi];
-    }
-}
-
-
-void Foam::fsi::fsiSystem::toBoundary
-(
-    const vectorField& surface,
-    groupNodal& boundary
-) const
-{
-    const direction nDims = grid.nDims();
-    const labelList& start = objects.surfaces().pointStart();
-
-    boundary.setSize(objects.groups().size());
-    forAll(boundary, groupi)
-    {
-        const bodyGroup& group = objects.groups()[groupi];
-        const label nNodes = objects.shape(groupi).nBoundaryNodes();
-        Eigen::MatrixXd& b = boundary[groupi];
-        b.resize(nNodes, nDims*group.size());
-
-        for (label copyi = 0; copyi < group.size(); ++copyi)
-        {
-            const label first = start[objects.objectIndex(groupi, copyi)];
-            for (direction d = 0; d < nDims; ++d)
-            {
-                for (label i = 0; i < nNodes; ++i)
-                {
-                    b(i, nDims*copyi + d) = surface[first + i][d];
-                }
-            }
-        }
-    }
-}
-
-
-void Foam::fsi::fsiSystem::fromBoundary
-(
-    const groupNodal& boundary,
-    vectorField& surface
-) const
-{
-    const direction nDims = grid.nDims();
-    const labelList& start = objects.surfaces().pointStart();
-
-    surface.setSize(objects.surfaces().points().size());
-    forAll(boundary, groupi)
-    {
-        const Eigen::MatrixXd& b = boundary[groupi];
-        const label nNodes = objects.shape(groupi).nBoundaryNodes();
-        const label nCopies = objects.groups()[groupi].size();
-
-        for (label copyi = 0; copyi < nCopies; ++copyi)
-        {
-            const label first = start[objects.objectIndex(groupi, copyi)];
-            const scalar* x = b.col(nDims*copyi).data();
-            const scalar* y = x + b.rows();
-            const scalar* z = nDims == 3 ? y + b.rows() : nullptr;
-            for (label i = 0; i < nNodes; ++i)
-            {
-                surface[first + i] = vector(x[i], y[i], z ? z[i] : 0);
-            }
-        }
     }
 }
 

@@ -5,15 +5,22 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
+Foam::scalar Foam::fsi::objectContact::leastModulus(const fsiSystem& system)
 {
+    const PtrList<bodyGroup>& groups = system.objects.groups();
+    const scalar speed = system.grid.spacing()/system.deltaT();
     scalar least = GREAT, leastFree = GREAT;
-    for (const bodyGroup& group : objects.groups())
+    for (const bodyGroup& group : groups)
     {
-        least = min(least, group.shape().youngsModulus());
-        if (group.free())
+        const shapeTemplate& shape = group.shape();
+        const scalar modulus =
+            shape.rigid()
+          ? shape.density()*sqr(speed)
+          : shape.youngsModulus();
+        least = min(least, modulus);
+        if (group.movesFreely())
         {
-            leastFree = min(leastFree, group.shape().youngsModulus());
+            leastFree = min(leastFree, modulus);
         }
     }
     if (leastFree < GREAT)
@@ -21,7 +28,7 @@ Foam::scalar Foam::fsi::objectContact::leastModulus(const population& objects)
         return leastFree;
     }
     // Without shapes nothing touches, and any value will do
-    return objects.groups().empty() ? 1 : least;
+    return groups.empty() ? 1 : least;
 }
 
 
@@ -116,33 +123,19 @@ void Foam::fsi::objectContact::setBodies()
 }
 
 
-void Foam::fsi::objectContact::withVelocities
-(
-    const fsiSystem::groupNodal& v,
-    const std::function<void()>& look
-)
-{
-    vectorField& velocities = system_.objects.surfaces().velocities();
-    vectorField kept(velocities);
-    system_.objects.toSurface(v, velocities);
-    look();
-    velocities = kept;
-}
-
-
-void Foam::fsi::objectContact::respond(fsiSystem::groupNodal& v) const
+void Foam::fsi::objectContact::respond(nodeVelocities& v) const
 {
     fsiSystem::groupNodal force;
-    system_.objects.toGroups(force_, force);
-    forAll(v, groupi)
+    system_.objects.layout().toGroups(force_, force);
+    fsiSystem::groupNodal& velocities = v.change();
+    forAll(velocities, groupi)
     {
-        const bodyGroup& group = system_.objects.groups()[groupi];
-        if (group.free())
-        {
-            Eigen::MatrixXd change(v[groupi].rows(), v[groupi].cols());
-            group.respond(force[groupi], change);
-            v[groupi] += change;
-        }
+        Eigen::MatrixXd change;
+        system_.objects.groups()[groupi].response().respond
+        (
+            force[groupi], change
+        );
+        velocities[groupi] += change;
     }
 }
 
@@ -157,7 +150,7 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
         system.properties.subOrEmptyDict("contact"),
         system.grid.nDims(),
         system.grid.spacing(),
-        leastModulus(system.objects),
+        leastModulus(system),
         system.fluidDensity*system.viscosity,
         system.sides.images()
     ),
@@ -168,13 +161,14 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::objectContact::calculate()
+void Foam::fsi::objectContact::calculate(const vectorField& velocities)
 {
     setBodies();
     prepareSearch();
     contact_.calculate
     (
         system_.objects.surfaces(),
+        velocities,
         bodies_,
         walls_,
         axisPoints_,
@@ -195,18 +189,11 @@ void Foam::fsi::objectContact::measure()
 }
 
 
-void Foam::fsi::objectContact::push(fsiSystem::groupNodal& v)
+void Foam::fsi::objectContact::push(nodeVelocities& v)
 {
     if (!explicitForces())
     {
-        withVelocities
-        (
-            v,
-            [this]()
-            {
-                calculate();
-            }
-        );
+        calculate(v.surface());
         respond(v);
     }
 }
@@ -216,9 +203,9 @@ void Foam::fsi::objectContact::addForce(fsiSystem::groupNodal& force)
 {
     if (explicitForces())
     {
-        calculate();
+        calculate(system_.objects.surfaces().velocities());
         fsiSystem::groupNodal contactForce;
-        system_.objects.toGroups(force_, contactForce);
+        system_.objects.layout().toGroups(force_, contactForce);
         forAll(force, groupi)
         {
             force[groupi] += contactForce[groupi];
@@ -227,22 +214,16 @@ void Foam::fsi::objectContact::addForce(fsiSystem::groupNodal& force)
 }
 
 
-void Foam::fsi::objectContact::limit(fsiSystem::groupNodal& v)
+void Foam::fsi::objectContact::limit(nodeVelocities& v)
 {
-    withVelocities
+    nLimited_ = contact_.limit
     (
-        v,
-        [&]()
-        {
-            nLimited_ = contact_.limit
-            (
-                system_.objects.surfaces(),
-                bodies_,
-                walls_,
-                system_.deltaT(),
-                force_
-            );
-        }
+        system_.objects.surfaces(),
+        v.surface(),
+        bodies_,
+        walls_,
+        system_.deltaT(),
+        force_
     );
     if (nLimited_ > 0)
     {

@@ -2,7 +2,7 @@
 
 #include "wallForceLoad.H"
 #include "transposedStress.H"
-#include "viscousCoupling.H"
+#include "linkForces.H"
 #include "sumOverRanks.H"
 #include "addToRunTimeSelectionTable.H"
 

@@ -57,15 +57,15 @@ void Foam::fsi::weakCoupling::predict
 
     load_->calculate(p, U, wallVelocity_, hydrodynamicForce_);
     groupNodal total;
-    system_.objects.toGroups(hydrodynamicForce_, total);
+    system_.objects.layout().toGroups(hydrodynamicForce_, total);
     forAll(total, groupi)
     {
         total[groupi] += force_[groupi];
     }
-    predictShared(system_.objects, time, dt, total, velocity_);
-    constrainVolume(velocity_);
+    predictShared(system_.objects, time, dt, total, velocity_.change());
+    constrain(velocity_);
     contact(velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
 }
 
 
@@ -96,7 +96,7 @@ void Foam::fsi::weakCoupling::begin
 {
     pass_ = 0;
     force_ = force;
-    system_.objects.zeroGroups(velocity_);
+    velocity_.reset();
     wallVelocity_ = system_.objects.surfaces().velocities();
 }
 
@@ -136,7 +136,7 @@ void Foam::fsi::weakCoupling::solvePressure
 
 bool Foam::fsi::weakCoupling::again
 (
-    const volScalarField& p,
+    volScalarField& p,
     const volVectorField& U
 )
 {
@@ -147,8 +147,7 @@ bool Foam::fsi::weakCoupling::again
         return false;
     }
 
-    vectorField objectVelocity;
-    system_.objects.toSurface(velocity_, objectVelocity);
+    const vectorField& objectVelocity = velocity_.surface();
     const vectorField residual(objectVelocity - wallVelocity_);
     const scalar scale = max(max(magSqr(objectVelocity)), VSMALL);
     if (max(magSqr(residual)) < sqr(tolerance_)*scale)
@@ -167,7 +166,7 @@ void Foam::fsi::weakCoupling::end
 )
 {
     limitContact(velocity_);
-    constrainVolume(velocity_);
+    constrain(velocity_);
 }
 
 

@@ -1,85 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyGroup.H"
+#include "bodyVolume.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace fsi
+namespace
 {
 
-//- Energy of the area terms of a copy [J]; subtracts their derivative from
-//  the nodes' forces, if there are any
-static scalar areaEnergy
+using namespace Foam;
+
+//- Value of a node of a copy; z is 0 in two dimensions
+vector valueAt
 (
-    const volumeTerm& term,
-    const Eigen::Ref<const Eigen::MatrixXd>& x,
-    const label column,
-    Eigen::MatrixXd* force
+    const Eigen::MatrixXd& values,
+    const label nDims,
+    const label nodei,
+    const label copyi
 )
 {
-    const strainDomains& domains = term.areaDomains();
-    scalar energy = 0;
-    for (label domaini = 0; domaini < domains.size(); ++domaini)
+    vector value(Zero);
+    for (label i = 0; i < nDims; ++i)
     {
-        scalar F[4];
-        domains.gradient(domaini, x, true, F);
-        F[0] += 1;
-        F[3] += 1;
-        const scalar stiffness = term.stiffness()*domains.volumes()[domaini];
-        energy += 0.25*stiffness*sqr(F[0]*F[3] - F[1]*F[2] - 1);
-        if (force)
-        {
-            volumeTerm::toGradient(F[0], F[1], F[2], F[3]);
-            for (scalar& part : F)
-            {
-                part *= stiffness;
-            }
-            domains.addForce(domaini, F, force->middleCols(column, 2));
-        }
+        value[i] = values(nodei, nDims*copyi + i);
     }
-    return energy;
+    return value;
 }
 
-
-//- The same for the shear of neo-Hookean bodies
-static scalar shearEnergy
-(
-    const shapeTemplate& shape,
-    const Eigen::Ref<const Eigen::MatrixXd>& x,
-    const label column,
-    Eigen::MatrixXd* force
-)
-{
-    if (shape.shearModulus() == 0)
-    {
-        return 0;
-    }
-    const strainDomains& domains = shape.elementTerm().shearDomains();
-    scalar energy = 0;
-    for (label domaini = 0; domaini < domains.size(); ++domaini)
-    {
-        scalar F[4];
-        domains.gradient(domaini, x, true, F);
-        const scalar size =
-            2*shape.shearModulus()*domains.volumes()[domaini];
-
-        // The part that is not conformal is (c d; d -c)
-        const scalar c = 0.5*(F[0] - F[3]);
-        const scalar d = 0.5*(F[1] + F[2]);
-        energy += size*(sqr(c) + sqr(d));
-        if (force)
-        {
-            const scalar P[4] = {size*c, size*d, size*d, -size*c};
-            domains.addForce(domaini, P, force->middleCols(column, 2));
-        }
-    }
-    return energy;
-}
-
-} // End namespace fsi
-} // End namespace Foam
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -103,83 +51,11 @@ Foam::vector Foam::fsi::bodyGroup::massAverage
 }
 
 
-Foam::scalar Foam::fsi::bodyGroup::springLength
-(
-    const label springi,
-    const label copyi
-) const
-{
-    const edge& ends = shape_.springs()[springi];
-    scalar squares = 0;
-    for (label i = 0; i < shape_.nDims(); ++i)
-    {
-        const auto x = positions_.col(shape_.nDims()*copyi + i);
-        squares += sqr(x[ends.second()] - x[ends.first()]);
-    }
-    return std::sqrt(squares);
-}
-
-
-void Foam::fsi::bodyGroup::addElementTerms
-(
-    const label copyi,
-    scalar& energy,
-    Eigen::MatrixXd* force
-) const
-{
-    if (shape_.membrane())
-    {
-        const auto x = positions_.middleCols(2*copyi, 2);
-        energy += shape_.bending().energy(x);
-        if (force)
-        {
-            shape_.bending().addForce(x, force->middleCols(2*copyi, 2));
-        }
-        return;
-    }
-
-    const auto x = positions_.middleCols(2*copyi, 2);
-    energy += areaEnergy(shape_.elementTerm(), x, 2*copyi, force);
-    energy += shearEnergy(shape_, x, 2*copyi, force);
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::bodyGroup::internalForce(Eigen::MatrixXd& force) const
 {
     force.setZero(positions_.rows(), positions_.cols());
-
-    for (label copyi = 0; copyi < size(); ++copyi)
-    {
-        auto x = positions_.middleCols(2*copyi, 2);
-        auto f = force.middleCols(2*copyi, 2);
-
-        forAll(shape_.springs(), springi)
-        {
-            const edge& ends = shape_.springs()[springi];
-            const scalar state =
-                springStates_.size() ? springStates_(springi, copyi) : 0;
-            const scalar relaxed = shape_.law().relaxedLength
-            (
-                shape_.restLengths()[springi],
-                state
-            );
-            const scalar length = springLength(springi, copyi);
-            const scalar pull =
-                shape_.springConstants()[springi]*(1 - relaxed/length);
-            for (label i = 0; i < 2; ++i)
-            {
-                const scalar part =
-                    pull*(x(ends.second(), i) - x(ends.first(), i));
-                f(ends.first(), i) += part;
-                f(ends.second(), i) -= part;
-            }
-        }
-
-        scalar energy = 0;
-        addElementTerms(copyi, energy, &force);
-    }
 }
 
 
@@ -194,32 +70,9 @@ Foam::scalar Foam::fsi::bodyGroup::kineticEnergy() const
 }
 
 
-Foam::scalar Foam::fsi::bodyGroup::elasticEnergy() const
-{
-    scalar energy = 0;
-    for (label copyi = 0; copyi < size(); ++copyi)
-    {
-        forAll(shape_.springs(), springi)
-        {
-            const scalar state =
-                springStates_.size() ? springStates_(springi, copyi) : 0;
-            const scalar relaxed = shape_.law().relaxedLength
-            (
-                shape_.restLengths()[springi],
-                state
-            );
-            energy += 0.5*shape_.springConstants()[springi]
-               *sqr(springLength(springi, copyi) - relaxed);
-        }
-        addElementTerms(copyi, energy, nullptr);
-    }
-    return energy;
-}
-
-
 Foam::scalar Foam::fsi::bodyGroup::volume(const label copyi) const
 {
-    return bodyResponse::area(shape_, positions_, copyi);
+    return bodyVolume::of(shape_.faces(), ofCopy(positions_, copyi));
 }
 
 
@@ -243,17 +96,15 @@ Foam::vector Foam::fsi::bodyGroup::momentum(const label copyi) const
 
 Foam::vector Foam::fsi::bodyGroup::angularMomentum(const label copyi) const
 {
+    const label nDims = shape_.nDims();
     const point centre(centroid(copyi));
     vector sum(Zero);
     forAll(shape_.nodeMasses(), nodei)
     {
-        const scalar x = positions_(nodei, 2*copyi) - centre.x();
-        const scalar y = positions_(nodei, 2*copyi + 1) - centre.y();
-        sum.z() += shape_.nodeMasses()[nodei]
-           *(
-                x*velocities_(nodei, 2*copyi + 1)
-              - y*velocities_(nodei, 2*copyi)
-            );
+        const vector arm(valueAt(positions_, nDims, nodei, copyi) - centre);
+        sum +=
+            shape_.nodeMasses()[nodei]
+           *(arm ^ valueAt(velocities_, nDims, nodei, copyi));
     }
     return sum;
 }
@@ -261,15 +112,21 @@ Foam::vector Foam::fsi::bodyGroup::angularMomentum(const label copyi) const
 
 Foam::vector Foam::fsi::bodyGroup::angularVelocity(const label copyi) const
 {
+    const label nDims = shape_.nDims();
     const point centre(centroid(copyi));
-    scalar inertia = 0;
+    symmTensor inertia(Zero);
     forAll(shape_.nodeMasses(), nodei)
     {
-        const scalar x = positions_(nodei, 2*copyi) - centre.x();
-        const scalar y = positions_(nodei, 2*copyi + 1) - centre.y();
-        inertia += shape_.nodeMasses()[nodei]*(x*x + y*y);
+        const vector arm(valueAt(positions_, nDims, nodei, copyi) - centre);
+        inertia +=
+            shape_.nodeMasses()[nodei]*(magSqr(arm)*symmTensor::I - sqr(arm));
     }
-    return angularMomentum(copyi)/inertia;
+    const vector moment(angularMomentum(copyi));
+    if (nDims == 2)
+    {
+        return moment/inertia.zz();
+    }
+    return inv(inertia) & moment;
 }
 
 

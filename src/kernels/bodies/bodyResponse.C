@@ -1,140 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyResponse.H"
-#include "error.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-namespace Foam
-{
-namespace fsi
-{
+void Foam::fsi::bodyResponse::makeModes()
+{}
 
-//- Sum over the nodes and components of a copy
-static scalar product
+
+void Foam::fsi::bodyResponse::addModes
 (
-    const Eigen::MatrixXd& a,
-    const Eigen::MatrixXd& b,
-    const label copyi
+    const modeKind kind,
+    const scalar sign,
+    rigidModes::modeList values
 )
 {
-    return
-        a.col(2*copyi).dot(b.col(2*copyi))
-      + a.col(2*copyi + 1).dot(b.col(2*copyi + 1));
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::bodyResponse::makeRotation()
-{
-    const Eigen::Map<const Eigen::VectorXd> masses
-    (
-        shape_.nodeMasses().cdata(),
-        shape_.nNodes()
-    );
-    const scalar mass = masses.sum();
-
-    rotation_.resize(positions_.rows(), positions_.cols());
-    for (label column = 0; column < positions_.cols(); column += 2)
+    for (Eigen::MatrixXd& each : values)
     {
-        const scalar x = masses.dot(positions_.col(column))/mass;
-        const scalar y = masses.dot(positions_.col(column + 1))/mass;
-        rotation_.col(column).array() = y - positions_.col(column + 1).array();
-        rotation_.col(column + 1).array() = positions_.col(column).array() - x;
-
-        const auto block = rotation_.middleCols(column, 2);
-        const scalar inertia = masses.dot(block.rowwise().squaredNorm());
-        rotation_.middleCols(column, 2) /= std::sqrt(inertia);
+        modes_.push_back({kind, sign, std::move(each)});
     }
 }
 
 
-void Foam::fsi::bodyResponse::makeElasticRotation()
+void Foam::fsi::bodyResponse::respond
+(
+    const label nModes,
+    const Eigen::MatrixXd& force,
+    Eigen::MatrixXd& v
+) const
 {
-    const Eigen::Map<const Eigen::VectorXd> masses
-    (
-        shape_.nodeMasses().cdata(),
-        shape_.nNodes()
-    );
-    const Eigen::MatrixXd momenta = masses.asDiagonal()*rotation_;
-    elasticRotation_ = momenta;
-    matrix_->solve(elasticRotation_);
-
-    for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
+    const direction nDims = shape_.nDims();
+    if (matrix_.valid())
     {
-        elasticRotation_.middleCols(2*copyi, 2) /=
-            std::sqrt(product(elasticRotation_, momenta, copyi));
+        v = force;
+        matrix_->solve(v);
     }
-}
-
-
-void Foam::fsi::bodyResponse::makeVolumeMode()
-{
-    Eigen::MatrixXd gradient =
-        Eigen::MatrixXd::Zero(positions_.rows(), positions_.cols());
-    const scalar half = 0.5*shape_.thickness();
-
-    for (label column = 0; column < positions_.cols(); column += 2)
+    else
     {
-        for (const surfaceFace& face : shape_.faces())
+        v.setZero(force.rows(), force.cols());
+    }
+    for (label copyi = 0; copyi < nCopies(); ++copyi)
+    {
+        for (label k = 0; k < nModes; ++k)
         {
-            const scalar dx =
-                positions_(face[1], column) - positions_(face[0], column);
-            const scalar dy =
-                positions_(face[1], column + 1)
-              - positions_(face[0], column + 1);
-            for (label i = 0; i < 2; ++i)
-            {
-                gradient(face[i], column) += half*dy;
-                gradient(face[i], column + 1) -= half*dx;
-            }
+            const Eigen::MatrixXd& m = modes_[k].values;
+            const scalar amount =
+                modes_[k].sign*rigidModes::product(m, force, nDims, copyi);
+            v.middleCols(nDims*copyi, nDims) +=
+                amount*m.middleCols(nDims*copyi, nDims);
         }
     }
-
-    volumeMode_ = gradient;
-    matrix_->solve(volumeMode_);
-    volumeCompliance_.resize(positions_.cols()/2);
-    for (label copyi = 0; copyi < volumeCompliance_.size(); ++copyi)
-    {
-        auto mode = volumeMode_.middleCols(2*copyi, 2);
-        mode -= product(elasticRotation_, gradient, copyi)
-           *elasticRotation_.middleCols(2*copyi, 2);
-        mode += product(rotation_, gradient, copyi)
-           *rotation_.middleCols(2*copyi, 2);
-        volumeCompliance_[copyi] = product(volumeMode_, gradient, copyi);
-    }
-}
-
-
-void Foam::fsi::bodyResponse::makeBoundaryModes()
-{
-    const label nB = shape_.nBoundaryNodes();
-    boundaryModes_.resize(nB, 3*positions_.cols());
-
-    for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
-    {
-        auto modes = boundaryModes_.middleCols(6*copyi, 6);
-        modes.leftCols(2) =
-            rotation_.middleCols(2*copyi, 2).topRows(nB);
-        modes.middleCols(2, 2) =
-            elasticRotation_.middleCols(2*copyi, 2).topRows(nB);
-        modes.rightCols(2) =
-            volumeMode_.middleCols(2*copyi, 2).topRows(nB)
-           /std::sqrt(volumeCompliance_[copyi]);
-    }
+    v *= deltaT_;
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::bodyResponse::bodyResponse(const shapeTemplate& shape)
+Foam::fsi::bodyResponse::bodyResponse
+(
+    const shapeTemplate& shape,
+    autoPtr<responseMatrix> matrix
+)
 :
-    shape_(shape),
-    matrix_(responseMatrix::New(shape))
+    matrix_(std::move(matrix)),
+    shape_(shape)
 {}
 
 
@@ -149,12 +78,25 @@ void Foam::fsi::bodyResponse::prepare
 {
     deltaT_ = dt;
     positions_ = positions;
-    matrix_->prepare(dt, positions, triangles);
+    if (matrix_.valid())
+    {
+        matrix_->prepare(dt, positions, triangles);
+    }
+    modes_.clear();
+    makeModes();
 
-    makeRotation();
-    makeElasticRotation();
-    makeVolumeMode();
-    makeBoundaryModes();
+    const label nB = shape_.nBoundaryNodes();
+    const label nDims = shape_.nDims();
+    const label nModes(modes_.size());
+    boundaryModes_.resize(nB, nModes*positions.cols());
+    for (label copyi = 0; copyi < nCopies(); ++copyi)
+    {
+        for (label k = 0; k < nModes; ++k)
+        {
+            boundaryModes_.middleCols(nDims*(nModes*copyi + k), nDims) =
+                modes_[k].values.middleCols(nDims*copyi, nDims).topRows(nB);
+        }
+    }
 }
 
 
@@ -171,42 +113,18 @@ bool Foam::fsi::bodyResponse::preparedFor
 }
 
 
-void Foam::fsi::bodyResponse::respondFreely
-(
-    const Eigen::MatrixXd& force,
-    Eigen::MatrixXd& v
-) const
+std::vector<const Foam::fsi::bodyResponse::mode*>
+Foam::fsi::bodyResponse::modesOf(const modeKind kind) const
 {
-    v = force;
-    matrix_->solve(v);
-
-    for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
+    std::vector<const mode*> found;
+    for (const mode& m : modes_)
     {
-        const scalar turn = product(rotation_, force, copyi);
-        const scalar elastic = product(elasticRotation_, force, copyi);
-
-        v.middleCols(2*copyi, 2) +=
-            turn*rotation_.middleCols(2*copyi, 2)
-          - elastic*elasticRotation_.middleCols(2*copyi, 2);
+        if (m.kind == kind)
+        {
+            found.push_back(&m);
+        }
     }
-    v *= deltaT_;
-}
-
-
-void Foam::fsi::bodyResponse::respond
-(
-    const Eigen::MatrixXd& force,
-    Eigen::MatrixXd& v
-) const
-{
-    respondFreely(force, v);
-    for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
-    {
-        const scalar swell =
-            product(volumeMode_, force, copyi)/volumeCompliance_[copyi];
-        v.middleCols(2*copyi, 2) -=
-            (deltaT_*swell)*volumeMode_.middleCols(2*copyi, 2);
-    }
+    return found;
 }
 
 
@@ -216,23 +134,63 @@ void Foam::fsi::bodyResponse::respondBoundary
     Eigen::MatrixXd& v
 ) const
 {
-    matrix_->solveBoundary(force, v);
-    for (label copyi = 0; copyi < positions_.cols()/2; ++copyi)
+    if (matrix_.valid())
     {
-        const auto modes = boundaryModes_.middleCols(6*copyi, 6);
-        for (label mode = 0; mode < 3; ++mode)
+        matrix_->solveBoundary(force, v);
+    }
+    else
+    {
+        v.setZero(force.rows(), force.cols());
+    }
+    const label nDims = shape_.nDims();
+    const label nModes(modes_.size());
+    for (label copyi = 0; copyi < nCopies(); ++copyi)
+    {
+        const auto f = force.middleCols(nDims*copyi, nDims);
+        for (label k = 0; k < nModes; ++k)
         {
-            const auto part = modes.middleCols(2*mode, 2);
-            const scalar amount =
-                (mode == 0 ? 1 : -1)
-               *(
-                    part.col(0).dot(force.col(2*copyi))
-                  + part.col(1).dot(force.col(2*copyi + 1))
-                );
-            v.middleCols(2*copyi, 2) += amount*part;
+            const auto part = boundaryModes_.middleCols
+            (
+                nDims*(nModes*copyi + k), nDims
+            );
+            scalar amount = 0;
+            for (label d = 0; d < nDims; ++d)
+            {
+                amount += part.col(d).dot(f.col(d));
+            }
+            v.middleCols(nDims*copyi, nDims) += modes_[k].sign*amount*part;
         }
     }
     v *= deltaT_;
+}
+
+
+void Foam::fsi::bodyResponse::respondRoughly
+(
+    const Eigen::MatrixXd& force,
+    Eigen::MatrixXd& v
+) const
+{
+    if (matrix_.valid())
+    {
+        matrix_->solveBoundary(force, v);
+    }
+    else
+    {
+        v.setZero(force.rows(), force.cols());
+    }
+}
+
+
+Foam::scalar Foam::fsi::bodyResponse::roughMobility
+(
+    const label copyi,
+    const label nodei,
+    const label component
+) const
+{
+    return
+        matrix_.valid() ? 1/matrix_->diagonal(copyi, nodei, component) : 0;
 }
 
 

@@ -12,34 +12,6 @@ namespace Foam
 namespace fsi
 {
 
-namespace
-{
-
-//- Rule of limit(): a gap does not shrink below the minimum, or below what it
-//  was if that was less. Never accelerates a pair apart
-class minimumGapRule
-:
-    public contactRule
-{
-    const scalar minimum_;
-
-public:
-
-    explicit minimumGapRule(const scalar minimum)
-    :
-        minimum_(minimum)
-    {}
-
-    virtual scalar impulse(const contactState& pair) const
-    {
-        const scalar least = min((minimum_ - pair.gap)/pair.dt, 0.0);
-        return max(least - pair.velocity, 0.0)/pair.compliance;
-    }
-};
-
-} // End anonymous namespace
-
-
 //- Read the ranges and check the entries
 static contactScales readScales
 (
@@ -77,14 +49,14 @@ Foam::fsi::contact::contact
 :
     scales_(readScales(dict, spacing, youngsModulus, viscosity)),
     margin_(readNonNegative(dict, "margin", 1)*spacing),
-    minimumGap_(readPositive(dict, "minimumGap", 0.1)*spacing),
-    search_(contactSearch::New(dict.subOrEmptyDict("search"))),
+    images_(images),
+    finder_(dict.subOrEmptyDict("search"), nDims, images_),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
     film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
-    images_(images),
-    limiter_(dictionary()),
-    limitSearch_(contactSearch::New(dictionary())),
-    moved_(nDims)
+    defence_
+    (
+        readPositive(dict, "minimumGap", 0.1)*spacing, margin_, nDims, images_
+    )
 {
     if (film_->active() && !law_->takesLubrication())
     {
@@ -128,11 +100,58 @@ void Foam::fsi::contact::setStretches
 Foam::fsi::contactProblem Foam::fsi::contact::problem
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const scalar dt
 ) const
 {
-    return {surfaces, bodies, found_, film_(), scales_.range, dt};
+    return {surfaces, velocities, bodies, found_, film_(), scales_.range, dt};
+}
+
+
+void Foam::fsi::contact::count(const surfaceSet& surfaces)
+{
+    statistics_.contacts = 0;
+    statistics_.smallestGap = GREAT;
+    statistics_.potentialEnergy = 0;
+    statistics_.sweeps = 0;
+    statistics_.objectContacts.setSize(surfaces.size());
+    statistics_.objectContacts = 0;
+    statistics_.objectGaps.setSize(surfaces.size());
+    statistics_.objectGaps = GREAT;
+    touching_.clear();
+
+    for (const contactPair& pair : found_.pairs)
+    {
+        const label own = surfaces.pointObject()[pair.node];
+        scalar& ownGap = statistics_.objectGaps[own];
+        ownGap = min(ownGap, pair.gap);
+        if (pair.other >= 0)
+        {
+            scalar& otherGap = statistics_.objectGaps[pair.other];
+            otherGap = min(otherGap, pair.gap);
+        }
+        statistics_.smallestGap = min(statistics_.smallestGap, pair.gap);
+        if (pair.gap < scales_.range)
+        {
+            touching_.append
+            (
+                labelPair(min(own, pair.other), max(own, pair.other))
+            );
+        }
+    }
+
+    std::sort(touching_.begin(), touching_.end());
+    const auto end = std::unique(touching_.begin(), touching_.end());
+    for (auto touch = touching_.begin(); touch != end; ++touch)
+    {
+        ++statistics_.contacts;
+        ++statistics_.objectContacts[touch->second()];
+        if (touch->first() >= 0)
+        {
+            ++statistics_.objectContacts[touch->first()];
+        }
+    }
 }
 
 
@@ -167,16 +186,16 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
     if (!searched(surfaces))
     {
         const scalar range = scales_.range + margin_;
-        find
-        (
-            search_(), surfaces, bodies, walls, medialAxis, range, found_
-        );
+        finder_.find(surfaces, bodies, walls, medialAxis, range, found_);
         setStretches(surfaces, bodies);
         searched_ = surfaces.points();
     }
     count(surfaces);
     statistics_.potentialEnergy =
-        law_->potentialEnergy(problem(surfaces, bodies, GREAT));
+        law_->potentialEnergy
+        (
+            problem(surfaces, surfaces.velocities(), bodies, GREAT)
+        );
     return statistics_;
 }
 
@@ -184,6 +203,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
 const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
     const UList<medialAxisPoint>& medialAxis,
@@ -196,7 +216,10 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
-    law_->addForces(problem(surfaces, bodies, dt), force, statistics_);
+    law_->addForces
+    (
+        problem(surfaces, velocities, bodies, dt), force, statistics_
+    );
     return statistics_;
 }
 
@@ -204,60 +227,24 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 Foam::label Foam::fsi::contact::limit
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactWall>& walls,
     const scalar dt,
     vectorField& force
 )
 {
-    force.setSize(surfaces.points().size());
-    force = Zero;
-    if (!mayClose(surfaces, dt))
-    {
-        return 0;
-    }
-
-    // Pairs where the step would put the surfaces
-    moved_ = surfaces;
-    moved_.points() += dt*surfaces.velocities();
-    find
+    const bool known = !needsMedialAxis() && searched(surfaces);
+    return defence_.limit
     (
-        limitSearch_(),
-        moved_,
+        surfaces,
+        velocities,
         bodies,
         walls,
-        UList<medialAxisPoint>(),
-        minimumGap_ + margin_,
-        closing_
+        dt,
+        known ? &found_ : nullptr,
+        force
     );
-    scalar smallestGap = GREAT;
-    for (const contactPair& pair : closing_.pairs)
-    {
-        smallestGap = min(smallestGap, pair.gap);
-    }
-    if (smallestGap >= minimumGap_)
-    {
-        return 0;
-    }
-
-    // Their gaps at the start of the step, along the same normals
-    const contactProblem problem
-    {
-        moved_, bodies, closing_, noFilm_, minimumGap_, dt
-    };
-    for (contactPair& pair : closing_.pairs)
-    {
-        pair.gap -= dt*problem.normalVelocity(pair);
-    }
-    limiter_.solve(problem, minimumGapRule(minimumGap_));
-    limiter_.addForces(problem, force);
-
-    label nPushed = 0;
-    for (const scalar impulse : limiter_.impulses())
-    {
-        nPushed += impulse > 0;
-    }
-    return nPushed;
 }
 
 

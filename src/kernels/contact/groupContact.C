@@ -43,23 +43,38 @@ Foam::fsi::groupContact::groupContact(const bodyGroup& group)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+Foam::vector Foam::fsi::groupContact::valueAt
+(
+    const Eigen::MatrixXd& values,
+    const label nodei,
+    const label copyi
+) const
+{
+    const label nDims = group_.shape().nDims();
+    vector value(Zero);
+    for (label d = 0; d < nDims; ++d)
+    {
+        value[d] = values(nodei, nDims*copyi + d);
+    }
+    return value;
+}
+
+
 void Foam::fsi::groupContact::addMode
 (
     const surfaceSet& surfaces,
     const labelUList& objects,
-    const Eigen::MatrixXd& mode,
-    const Eigen::VectorXd& coefficients,
+    const bodyResponse::mode& mode,
     contactBodies& bodies
 ) const
 {
     forAll(objects, copyi)
     {
-        const label k = bodies.addMode(objects[copyi], coefficients[copyi]);
+        const label k = bodies.addMode(objects[copyi], mode.sign);
         const label start = surfaces.pointStart()[objects[copyi]];
         for (label i = 0; i < areas_.size(); ++i)
         {
-            bodies.mode(start + i, k) =
-                vector(mode(i, 2*copyi), mode(i, 2*copyi + 1), 0);
+            bodies.mode(start + i, k) = valueAt(mode.values, i, copyi);
         }
     }
 }
@@ -77,7 +92,11 @@ void Foam::fsi::groupContact::setNodes
     for (const label objecti : objects)
     {
         bodies.setRest(objecti, rest_);
-        if (!group_.free())
+        if (group_.keepsShape())
+        {
+            bodies.setKeepsShape(objecti);
+        }
+        if (!group_.movesFreely())
         {
             bodies.setPrescribed(objecti);
         }
@@ -104,10 +123,8 @@ void Foam::fsi::groupContact::setInternalForces
         const label start = surfaces.pointStart()[objects[copyi]];
         forAll(areas_, i)
         {
-            bodies.internalForces()[start + i] = vector
-            (
-                internalForce_(i, 2*copyi), internalForce_(i, 2*copyi + 1), 0
-            );
+            bodies.internalForces()[start + i] =
+                valueAt(internalForce_, i, copyi);
         }
     }
 }
@@ -125,33 +142,20 @@ void Foam::fsi::groupContact::setResponse
     {
         setInternalForces(surfaces, objects, bodies);
     }
-    if (!group_.free() || objects.empty())
-    {
-        return;
-    }
-
     const bodyResponse& response = group_.response();
-    forAll(objects, copyi)
+    for (label copyi = 0; copyi < objects.size() && response.matrix(); ++copyi)
     {
         bodies.setInverse
         (
             objects[copyi],
-            &response.matrix().boundaryInverse(copyi),
-            response.matrix().coupled()
+            &response.matrix()->boundaryInverse(copyi),
+            response.matrix()->coupled()
         );
     }
-
-    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(objects.size());
-    addMode(surfaces, objects, response.rotationModes(), ones, bodies);
-    addMode(surfaces, objects, response.elasticRotation(), -ones, bodies);
-    addMode
-    (
-        surfaces,
-        objects,
-        response.volumeMode(),
-        -response.volumeCompliance().cwiseInverse(),
-        bodies
-    );
+    for (const bodyResponse::mode& mode : response.modes())
+    {
+        addMode(surfaces, objects, mode, bodies);
+    }
 }
 
 

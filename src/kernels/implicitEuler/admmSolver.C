@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "admmSolver.H"
-#include "elementViscosity.H"
-#include "UIndirectList.H"
+#include "angularMomentum.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -10,82 +9,80 @@ void Foam::fsi::admmSolver::setTimeStep(const scalar dt)
 {
     // Asked for each time, as the shape keeps only the last few factors
     factor_ = &shape_.factor(dt);
-    if (dt == deltaT_)
+    if (dt != block_.deltaT)
     {
-        return;
-    }
-    deltaT_ = dt;
-
-    const labelList& rowOf = factor_->rowOf();
-    const admmControls& controls = shape_.admm();
-
-    springRows_.resize(2*shape_.springs().size());
-    forAll(shape_.springs(), springi)
-    {
-        const edge& ends = shape_.springs()[springi];
-        springRows_[2*springi] = rowOf[ends.first()];
-        springRows_[2*springi + 1] = rowOf[ends.second()];
-    }
-
-    const volumeTerm& term = shape_.elementTerm();
-    areaRows_ = labelUIndList(rowOf, term.areaDomains().nodes())();
-    shearRows_ = labelUIndList(rowOf, term.shearDomains().nodes())();
-
-    masses_.resize(shape_.nNodes());
-    forAll(masses_, nodei)
-    {
-        masses_[rowOf[nodei]] = shape_.nodeMasses()[nodei];
-    }
-
-    springWeights_ = sqr(dt)*shape_.springWeights(dt);
-    if (shape_.shearModulus() > 0)
-    {
-        springWeights_.clear();
-    }
-    springRatio_ = 1/controls.springWeight;
-    springFraction_ = 1/(1 + controls.springWeight);
-
-    areaWeights_ =
-        sqr(dt)*controls.areaWeight*shape_.areaStiffness()
-       *term.areaDomains().volumes();
-    shearWeights_.clear();
-    if (shape_.shearModulus() > 0)
-    {
-        shearWeights_ =
-            2*sqr(dt)*shape_.shearModulus()*term.shearDomains().volumes();
-    }
-    viscousWeights_.clear();
-    if (shape_.viscosity() > 0)
-    {
-        viscousWeights_ =
-            dt*elementViscosity::boundRatio*shape_.viscosity()
-           *term.shearDomains().volumes();
+        block_.setFactor(*factor_);
+        springs_.setFactor(*factor_);
+        elements_.setFactor(*factor_);
     }
 }
 
 
-void Foam::fsi::admmSolver::resize(const label lanes)
+template<int lanes>
+Foam::scalar Foam::fsi::admmSolver::globalStep()
 {
-    const label nNodeValues = 2*lanes*shape_.nNodes();
-    const label nSprings = shape_.springs().size();
+    const label n = block_.size(lanes);
+    Eigen::Map<const Eigen::ArrayXd> residual(block_.residual.cdata(), n);
 
-    // Never made smaller, so that steps do not allocate
-    if (start_.size() < nNodeValues)
+    if (shape_.admm().quasiNewton)
     {
-        start_.resize(nNodeValues);
-        inertial_.resize(nNodeValues);
-        displacement_.resize(nNodeValues);
-        current_.resize(nNodeValues);
-        lessDrift_.resize(shape_.viscosity() > 0 ? nNodeValues : 0);
-        change_.resize(nNodeValues);
-        residual_.resize(nNodeValues);
-        springDual_.resize(2*lanes*nSprings);
-        restLengths_.resize(lanes*nSprings);
-        areaDual_.resize
+        acceleration_.keepResidual(block_.residual);
+        factor_->solveRows(block_.nDims*lanes, block_.residual.data());
+        acceleration_.step<lanes>
         (
-            4*lanes*shape_.elementTerm().areaDomains().size()
+            elements_.part<lanes>(),
+            block_.residual,
+            block_.change
         );
     }
+    else
+    {
+        factor_->solveRows(block_.nDims*lanes, block_.residual.data());
+        Eigen::Map<Eigen::ArrayXd>(block_.change.data(), n) += residual;
+    }
+    return residual.abs().maxCoeff()/shape_.nodeSpacing();
+}
+
+
+template<int lanes>
+void Foam::fsi::admmSolver::solveBlock
+(
+    const copyState& s,
+    const label copyi,
+    Eigen::MatrixXd& v
+)
+{
+    const admmControls& controls = shape_.admm();
+    block_.resize(lanes);
+    springs_.resize(lanes);
+    elements_.resize(lanes);
+    block_.load<lanes>(s, copyi);
+    springs_.start(lanes, block_, s.springStates, copyi);
+    if (controls.quasiNewton)
+    {
+        block_.restoreMomentum<lanes>();
+        acceleration_.start(block_.size(lanes));
+    }
+
+    label iteration = 0;
+    scalar change = GREAT;
+    while (iteration < controls.iterations && change > controls.tolerance)
+    {
+        const dualStep step =
+            controls.quasiNewton ? dualStep::force
+          : iteration == 0 ? dualStep::start
+          : dualStep::local;
+        block_.inertialResidual<lanes>();
+        springs_.add(lanes, step, block_);
+        elements_.add(lanes, step, block_);
+        change = globalStep<lanes>();
+        ++iteration;
+    }
+    nIterations_ = max(nIterations_, iteration);
+    lastChange_ = max(lastChange_, change);
+
+    angularMomentum::restore<lanes>(block_, controls.conserving);
+    block_.store<lanes>(copyi, v);
 }
 
 
@@ -94,7 +91,9 @@ void Foam::fsi::admmSolver::resize(const label lanes)
 Foam::fsi::admmSolver::admmSolver(const shapeTemplate& shape)
 :
     shape_(shape),
-    stretch_(8, Zero)
+    block_(shape),
+    springs_(shape),
+    elements_(shape)
 {}
 
 
@@ -117,7 +116,6 @@ void Foam::fsi::admmSolver::solve
     {
         const label left = copies.last() + 1 - copyi;
         const label lanes = left >= 8 ? 8 : left >= 4 ? 4 : left >= 2 ? 2 : 1;
-        resize(lanes);
         switch (lanes)
         {
             case 8: solveBlock<8>(s, copyi, v); break;
@@ -137,7 +135,7 @@ void Foam::fsi::admmSolver::solve
     Eigen::MatrixXd& v
 )
 {
-    solve(dt, s, labelRange(0, s.positions.cols()/2), v);
+    solve(dt, s, labelRange(0, s.positions.cols()/shape_.nDims()), v);
 }
 
 

@@ -2,23 +2,6 @@
 
 #include "surfaceDistance.H"
 #include "fetchSamples.H"
-#include "segmentReach.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- A square of a distance is less than another if it is less by more than
-//  round-off: beside a corner the first of its two faces counts, wherever the
-//  object is
-static const scalar clearlyLess = 1 - 1e-10;
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -49,151 +32,106 @@ void Foam::fsi::surfaceDistance::check
 }
 
 
-inline void Foam::fsi::surfaceDistance::take
-(
-    const label samplei,
-    const label facei,
-    const scalar distanceSqr
-)
-{
-    if (distanceSqr < clearlyLess*distance_[samplei])
-    {
-        distance_[samplei] = distanceSqr;
-        nearestFace_[samplei] = facei;
-    }
-}
-
-
-void Foam::fsi::surfaceDistance::addSegment
-(
-    const segmentProjection& face,
-    const label facei,
-    const segmentReach& reach,
-    const cartesianBlock& block
-)
-{
-    const label first = block.nUpTo(reach.bounds().min().y(), 1);
-    const label end = block.nUpTo(reach.bounds().max().y(), 1);
-    for (label j = first; j < end; ++j)
-    {
-        point p(block.position(labelVector(0, j, 0)));
-        scalar from, to;
-        reach.row(p, from, to);
-        const label begin = block.nUpTo(from, 0);
-        const label behind = block.nUpTo(to, 0);
-        const label row = block.index(0, j, 0);
-        for (label i = begin; i < behind; ++i)
-        {
-            p.x() = block.latticePosition(block.start().x() + i, 0);
-            take(row + i, facei, face.distanceSqr(p));
-        }
-    }
-}
-
-
-void Foam::fsi::surfaceDistance::addSegments
+Foam::boundBox Foam::fsi::surfaceDistance::reach
 (
     const surfaceSet& surfaces,
-    const label objecti,
-    const cartesianBlock& block
-)
+    const label objecti
+) const
 {
-    const label firstNode = surfaces.pointStart()[objecti];
-    const label firstFace = surfaces.faceStart()[objecti];
-    const label nFaces = surfaces.faceStart()[objecti + 1] - firstFace;
-
-    endsAt_.setSize(surfaces.pointStart()[objecti + 1] - firstNode);
-    beginsAt_.setSize(endsAt_.size());
-    endsAt_ = -1;
-    beginsAt_ = -1;
-    along_.setSize(nFaces);
-    length_.setSize(nFaces);
-    const auto ends = [&](const label i, point& a, point& b)
-    {
-        // Distances in the plane, wherever the samples lie in z
-        const surfaceFace& f = surfaces.faces()[firstFace + i];
-        a = surfaces.points()[f[0]];
-        b = surfaces.points()[f[1]];
-        a.z() = b.z() = block.position(0).z();
-    };
-    point a, b;
-    for (label i = 0; i < nFaces; ++i)
-    {
-        const surfaceFace& f = surfaces.faces()[firstFace + i];
-        ends(i, a, b);
-        length_[i] = mag(b - a);
-        along_[i] = (1/max(length_[i], VSMALL))*(b - a);
-        beginsAt_[f[0] - firstNode] = i;
-        endsAt_[f[1] - firstNode] = i;
-    }
-
-    // Of the two faces at a node the first one has what lies beyond both
-    const auto turn = [&](const label i, const label other)
-    {
-        return
-            other < 0 ? 1
-          : other < i ? 0
-          : segmentReach::turn(along_[i], along_[other]);
-    };
-    for (label i = 0; i < nFaces; ++i)
-    {
-        const surfaceFace& f = surfaces.faces()[firstFace + i];
-        ends(i, a, b);
-        const segmentReach reach
-        (
-            a,
-            along_[i],
-            length_[i],
-            turn(i, endsAt_[f[0] - firstNode]),
-            turn(i, beginsAt_[f[1] - firstNode]),
-            bandWidth_
-        );
-        addSegment(segmentProjection(a, b), firstFace + i, reach, block);
-    }
+    // A little wider, for round-off
+    const vector width(vector::uniform(1.001*bandWidth_));
+    const boundBox bounds(surfaces.bounds(objecti));
+    return boundBox(bounds.min() - width, bounds.max() + width);
 }
 
 
-void Foam::fsi::surfaceDistance::addTriangles
+void Foam::fsi::surfaceDistance::addObjects
 (
     const surfaceSet& surfaces,
-    const label objecti,
-    const cartesianBlock& block
+    const cartesianBlock& block,
+    const bool fixed
 )
 {
-    const pointField& points = surfaces.points();
-    const labelList& faceStart = surfaces.faceStart();
-
-    cones_.update(surfaces, objecti);
-    for (label i = faceStart[objecti]; i < faceStart[objecti + 1]; ++i)
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        const surfaceFace& f = surfaces.faces()[i];
-        samples_.update
-        (
-            triangleReach(surfaces, i, cones_, bandWidth_),
-            triangleProjection(points[f[0]], points[f[1]], points[f[2]]),
-            block
-        );
-        for (label k = 0; k < samples_.size(); ++k)
+        if (surfaces.fixed(objecti) != fixed)
         {
-            take(samples_.index(k), i, samples_.distanceSqr(k));
+            continue;
+        }
+        const boundBox box(reach(surfaces, objecti));
+        if (fetchSamples(block, box.min(), box.max(), distance_))
+        {
+            if (surfaces.nDims() == 2)
+            {
+                addSegments(surfaces, objecti, block);
+            }
+            else
+            {
+                addTriangles(surfaces, objecti, block);
+            }
+            inside_.mark(surfaces, objecti, block, object_);
         }
     }
 }
 
 
-void Foam::fsi::surfaceDistance::finish(const surfaceSet& surfaces)
+void Foam::fsi::surfaceDistance::setFixed(const sampleRanges& samples)
 {
-    forAll(distance_, samplei)
+    for (const labelPair& r : samples.ranges())
     {
-        const bool inside = object_[samplei] >= 0;
-        scalar distance = bandWidth_;
-        if (nearestFace_[samplei] >= 0)
-        {
-            distance = sqrt(distance_[samplei]);
-            object_[samplei] = surfaces.faceObject()[nearestFace_[samplei]];
-        }
-        distance_[samplei] = inside ? -distance : distance;
+        fixed_.copy(r.first(), r.second(), distance_, nearestFace_, object_);
     }
+}
+
+
+void Foam::fsi::surfaceDistance::finish
+(
+    const surfaceSet& surfaces,
+    const sampleRanges& samples
+)
+{
+    for (const labelPair& r : samples.ranges())
+    {
+        for (label samplei = r.first(); samplei < r.second(); ++samplei)
+        {
+            const bool inside = object_[samplei] >= 0;
+            scalar distance = bandWidth_;
+            if (nearestFace_[samplei] >= 0)
+            {
+                distance = sqrt(distance_[samplei]);
+                object_[samplei] = surfaces.faceObject()[nearestFace_[samplei]];
+            }
+            if (object_[samplei] >= 0)
+            {
+                object_[samplei] = surfaces.original(object_[samplei]);
+            }
+            distance_[samplei] = inside ? -distance : distance;
+        }
+    }
+}
+
+
+void Foam::fsi::surfaceDistance::restart
+(
+    const surfaceSet& surfaces,
+    const cartesianBlock& block
+)
+{
+    distance_.setSize(block.size());
+    nearestFace_.setSize(block.size());
+    object_.setSize(block.size());
+    distance_ = sqr(bandWidth_);
+    nearestFace_ = -1;
+    object_ = -1;
+
+    addObjects(surfaces, block, true);
+    fixed_.keep
+    (
+        surfaces, block, sqr(bandWidth_), distance_, nearestFace_, object_
+    );
+    touched_ = sampleRanges(block);
+    finish(surfaces, touched_);
+    touched_.clear();
 }
 
 
@@ -221,39 +159,36 @@ void Foam::fsi::surfaceDistance::update
 )
 {
     check(surfaces, block);
-
-    distance_.setSize(block.size());
-    nearestFace_.setSize(block.size());
-    object_.setSize(block.size());
-    distance_ = sqr(bandWidth_);
-    nearestFace_ = -1;
-    object_ = -1;
-
-    const vector width(vector::uniform(bandWidth_));
-    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    if
+    (
+        distance_.size() != block.size()
+     || !fixed_.hold(surfaces, block)
+    )
     {
-        const boundBox bounds(surfaces.bounds(objecti));
-        if
-        (
-            fetchSamples
-            (
-                block, bounds.min() - width, bounds.max() + width, distance_
-            )
-        )
-        {
-            if (surfaces.nDims() == 2)
-            {
-                addSegments(surfaces, objecti, block);
-            }
-            else
-            {
-                addTriangles(surfaces, objecti, block);
-            }
-            inside_.mark(surfaces, objecti, block, object_);
-        }
+        restart(surfaces, block);
     }
 
-    finish(surfaces);
+    sampleRanges touched;
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (!surfaces.fixed(objecti))
+        {
+            const boundBox box(reach(surfaces, objecti));
+            touched.add(block, box.min(), box.max());
+        }
+    }
+    touched.merge(block);
+
+    // Where objects were, unless all is set below
+    if (touched.nSamples() < block.size())
+    {
+        setFixed(touched_);
+        finish(surfaces, touched_);
+    }
+    setFixed(touched);
+    addObjects(surfaces, block, false);
+    finish(surfaces, touched);
+    touched_.swap(touched);
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "elasticMaterial.H"
 #include "dictionaryCheck.H"
+#include "springCalibration.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -9,49 +10,44 @@ namespace Foam
 {
 namespace fsi
 {
-namespace elasticMaterial
-{
 
 //- Is the body neo-Hookean?
-static bool neoHookean(const dictionary& material)
+static bool isNeoHookean(const dictionary& material, const direction nDims)
 {
-    return material.lookupOrDefault<word>("type", "elastic") == "neoHookean";
-}
-
-} // End namespace elasticMaterial
-} // End namespace fsi
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::fsi::elasticMaterial::shearModulus
-(
-    const dictionary& material,
-    const scalar E,
-    const scalar kappa
-)
-{
-    if (!neoHookean(material))
-    {
-        return 0;
-    }
-    if (kappa <= E)
-    {
-        FatalIOErrorInFunction(material)
-            << "Entry 'areaStiffness' in dictionary " << material.name()
-            << " is " << kappa << " Pa; a neo-Hookean body of E = " << E
-            << " Pa needs more than E" << exit(FatalIOError);
-    }
-    return E*kappa/(4*kappa - 2*E);
+    return
+        material.lookupOrDefault<word>
+        (
+            "type", nDims == 3 ? "neoHookean" : "elastic"
+        ) == "neoHookean";
 }
 
 
-Foam::scalar Foam::fsi::elasticMaterial::viscosity
-(
-    const dictionary& material,
-    const scalar kappa
-)
+//- Where strains are taken
+static word readStrain(const dictionary& material, const direction nDims)
+{
+    const word element(nDims == 3 ? "element" : "triangle");
+    return readChoice
+    (
+        material,
+        "strain",
+        nDims == 3 ? "nodalVolume" : "triangle",
+        {element, "nodalVolume", "smoothed"}
+    );
+}
+
+
+//- Do all nodes have the same mass?
+static bool readUniformMass(const dictionary& material, const direction nDims)
+{
+    const word part(nDims == 3 ? "volume" : "area");
+    return
+        readChoice(material, "nodeMass", part, {"uniform", part})
+     == "uniform";
+}
+
+
+//- Viscosity of elements
+static scalar readViscosity(const dictionary& material, const scalar kappa)
 {
     const scalar viscosity = readNonNegative(material, "viscosity", 0);
     if (viscosity > 0 && !(kappa > 0))
@@ -64,53 +60,178 @@ Foam::scalar Foam::fsi::elasticMaterial::viscosity
 }
 
 
-void Foam::fsi::elasticMaterial::check
-(
-    const dictionary& dict,
-    const bool membrane
-)
+//- The sub-dictionary of the spring law; Hookean if there is none
+static autoPtr<springLaw> newLaw(const dictionary& material, const scalar E)
 {
-    if (neoHookean(dict.subDict("material")))
+    checkSubDicts(material, {"springLaw"});
+    if (material.found("springLaw"))
     {
-        checkKeys
-        (
-            dict.subDict("material"),
-            {
-                "type",
-                "density",
-                "E",
-                "areaStiffness",
-                "strain",
-                "viscosity",
-                "nodeMass"
-            }
-        );
+        return springLaw::New(material.subDict("springLaw"), E);
     }
-    else if (!membrane)
+    dictionary hookean;
+    hookean.add("type", word("Hookean"));
+    return springLaw::New(hookean, E);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::elasticMaterial::newShearModulus
+(
+    const dictionary& material
+) const
+{
+    if (!neoHookean_)
     {
-        checkKeys
-        (
-            dict.subDict("material"),
-            {
-                "type",
-                "density",
-                "E",
-                "springLaw",
-                "areaStiffness",
-                "strain",
-                "viscosity",
-                "calibration",
-                "nodeMass"
-            }
-        );
+        return 0;
     }
-    else if (dict.found("admm"))
+    const scalar E = youngsModulus, kappa = areaStiffness;
+    const bool solid = nDims_ == 3;
+    if (kappa <= (solid ? 0.5*E : E))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'admm' in dictionary " << dict.name()
-            << " has no meaning for a material of type membrane"
+        FatalIOErrorInFunction(material)
+            << "Entry 'areaStiffness' in dictionary " << material.name()
+            << " is " << kappa << " Pa; a neo-Hookean body of E = " << E
+            << " Pa needs more than " << (solid ? "E/2" : "E")
             << exit(FatalIOError);
     }
+    return solid ? 3*kappa*E/(9*kappa - 2*E) : E*kappa/(4*kappa - 2*E);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::elasticMaterial::elasticMaterial
+(
+    const dictionary& material,
+    const direction nDims,
+    const bool membrane
+)
+:
+    nDims_(nDims),
+    neoHookean_(isNeoHookean(material, nDims)),
+    strain_(readStrain(material, nDims)),
+    calibrated_
+    (
+        readChoice(material, "calibration", "patch", {"patch", "vanGelder"})
+     == "patch"
+    ),
+    uniformMass_(readUniformMass(material, nDims)),
+    youngsModulus(membrane ? 0 : readPositive(material, "E")),
+    areaStiffness
+    (
+        readNonNegative(material, "areaStiffness", 10*youngsModulus)
+    ),
+    shearModulus(newShearModulus(material)),
+    viscosity(readViscosity(material, areaStiffness)),
+    law(newLaw(material, youngsModulus))
+{
+    if (membrane && nDims == 3)
+    {
+        FatalIOErrorInFunction(material)
+            << "Entry 'type' in dictionary " << material.name()
+            << " is membrane, which needs a mesh of two dimensions"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::elasticMaterial::checkEntries(const dictionary& material) const
+{
+    wordList keys
+    ({
+        "type", "density", "E", "areaStiffness", "strain", "viscosity",
+        "nodeMass"
+    });
+    if (!neoHookean_)
+    {
+        keys.append(wordList({"springLaw", "calibration"}));
+    }
+    checkKeys(material, keys);
+}
+
+
+Foam::autoPtr<Foam::fsi::volumeTerm>
+Foam::fsi::elasticMaterial::newVolumeTerm
+(
+    const shapeMesh& mesh,
+    const scalar thickness
+) const
+{
+    typedef strainDomains::kind kind;
+    const bool nodal = strain_ == "nodalVolume" || strain_ == "smoothed";
+    return autoPtr<volumeTerm>
+    (
+        new volumeTerm
+        (
+            mesh,
+            thickness,
+            areaStiffness,
+            shearModulus,
+            nodal ? kind::node : kind::element,
+            strain_ == "smoothed" ? kind::edge : kind::element
+        )
+    );
+}
+
+
+Foam::scalarField Foam::fsi::elasticMaterial::springConstants
+(
+    const shapeMesh& mesh,
+    const edgeList& springs,
+    const volumeTerm& elementTerm,
+    const scalar thickness
+) const
+{
+    if (neoHookean_)
+    {
+        return scalarField(springs.size(), Zero);
+    }
+    if (calibrated_)
+    {
+        return springCalibration::calibrated
+        (
+            mesh, springs, elementTerm, thickness, youngsModulus
+        );
+    }
+    return youngsModulus*springCalibration::vanGelder
+    (
+        mesh, springs, elementTerm.volumes()
+    );
+}
+
+
+Foam::scalarField Foam::fsi::elasticMaterial::nodeMasses
+(
+    const shapeMesh& mesh,
+    const volumeTerm& elementTerm,
+    const scalar thickness,
+    const scalar density
+) const
+{
+    const label nNodes = mesh.points.size();
+    const scalarField& volumes = elementTerm.volumes();
+    if (uniformMass_)
+    {
+        const scalar mass = density*(sum(volumes)/thickness)*thickness;
+        return scalarField(nNodes, mass/nNodes);
+    }
+    scalarField masses(nNodes, Zero);
+    const label nCorners = nDims_ + 1;
+    forAll(mesh.elements, elementi)
+    {
+        for (label i = 0; i < nCorners; ++i)
+        {
+            masses[mesh.elements[elementi][i]] +=
+                density*volumes[elementi]/nCorners;
+        }
+    }
+    return masses;
 }
 
 

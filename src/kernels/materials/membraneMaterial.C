@@ -2,6 +2,7 @@
 
 #include "membraneMaterial.H"
 #include "dictionaryCheck.H"
+#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -72,9 +73,42 @@ bool Foam::fsi::membraneMaterial::chosen(const dictionary& dict)
     return
         readChoice
         (
-            dict, "type", "elastic", {"elastic", "neoHookean", "membrane"}
+            dict,
+            "type",
+            "elastic",
+            {"elastic", "neoHookean", "membrane", "rigid"}
         )
      == "membrane";
+}
+
+
+Foam::scalarField Foam::fsi::membraneMaterial::springConstants
+(
+    const shapeMesh& mesh,
+    const scalarField& restLengths,
+    const scalar thickness
+) const
+{
+    forAll(mesh.faces, i)
+    {
+        const surfaceFace& face = mesh.faces[i];
+        if (face[0] != i || face[1] != (i + 1) % mesh.faces.size())
+        {
+            FatalErrorInFunction
+                << "The boundary nodes of a membrane are not one outline in"
+                << " order" << exit(FatalError);
+        }
+    }
+    return stretchingModulus*thickness/restLengths;
+}
+
+
+Foam::scalar Foam::fsi::membraneMaterial::youngsModulus
+(
+    const scalar area
+) const
+{
+    return stretchingModulus/std::sqrt(area/constant::mathematical::pi);
 }
 
 

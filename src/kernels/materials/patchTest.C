@@ -2,6 +2,7 @@
 
 #include "patchTest.H"
 #include "ListOps.H"
+#include "rigidSupport.H"
 
 #include <Eigen/SparseCholesky>
 
@@ -39,7 +40,8 @@ static void addProduct
 }
 
 
-//- Entries of the stiffness matrix of the network at rest; unknown 2*node + i
+//- Entries of the stiffness matrix of the network at rest; unknown
+//  nDims*node + i
 static matrixEntries linearStiffness
 (
     const shapeMesh& mesh,
@@ -48,6 +50,7 @@ static matrixEntries linearStiffness
     const volumeTerm& elementTerm
 )
 {
+    const label nDims = mesh.nDims();
     matrixEntries entries;
 
     forAll(springs, springi)
@@ -57,62 +60,45 @@ static matrixEntries linearStiffness
         vector n = mesh.points[b] - mesh.points[a];
         n /= mag(n);
 
-        const label unknowns[4] = {2*a, 2*a + 1, 2*b, 2*b + 1};
-        const scalar g[4] = {-n.x(), -n.y(), n.x(), n.y()};
-        addProduct(4, unknowns, g, springConstants[springi], entries);
+        label unknowns[6];
+        scalar g[6];
+        for (label i = 0; i < nDims; ++i)
+        {
+            unknowns[i] = nDims*a + i;
+            unknowns[nDims + i] = nDims*b + i;
+            g[i] = -n[i];
+            g[nDims + i] = n[i];
+        }
+        addProduct(2*nDims, unknowns, g, springConstants[springi], entries);
     }
 
     // The divergence, with half of the stiffness (see volumeTerm)
-    const strainDomains& domains = elementTerm.areaDomains();
+    const strainDomains& domains = elementTerm.volumeDomains();
     std::vector<label> unknowns;
     for (label domaini = 0; domaini < domains.size(); ++domaini)
     {
+        const scalar stiffness =
+            0.5*elementTerm.stiffness()*domains.volumes()[domaini];
         unknowns.clear();
         const label start = domains.start(domaini);
         for (label j = start; j < domains.start(domaini + 1); ++j)
         {
-            unknowns.push_back(2*domains.nodes()[j]);
-            unknowns.push_back(2*domains.nodes()[j] + 1);
+            for (label i = 0; i < nDims; ++i)
+            {
+                unknowns.push_back(nDims*domains.nodes()[j] + i);
+            }
         }
-        const scalar stiffness =
-            0.5*elementTerm.stiffness()*domains.volumes()[domaini];
         addProduct
         (
             unknowns.size(),
             unknowns.data(),
-            &domains.gradients()[2*start],
+            &domains.gradients()[nDims*start],
             stiffness,
             entries
         );
     }
 
     return entries;
-}
-
-
-//- Three unknowns that hold a body against rigid motion
-static FixedList<label, 3> support(const shapeMesh& mesh)
-{
-    label far = 1;
-    forAll(mesh.points, pointi)
-    {
-        if
-        (
-            magSqr(mesh.points[pointi] - mesh.points[0])
-          > magSqr(mesh.points[far] - mesh.points[0])
-        )
-        {
-            far = pointi;
-        }
-    }
-    const vector d = mesh.points[far] - mesh.points[0];
-    const label across = mag(d.x()) > mag(d.y()) ? 1 : 0;
-
-    FixedList<label, 3> unknowns;
-    unknowns[0] = 0;
-    unknowns[1] = 1;
-    unknowns[2] = 2*far + across;
-    return unknowns;
 }
 
 
@@ -123,7 +109,7 @@ static Eigen::SparseMatrix<double> supported
     const shapeMesh& mesh
 )
 {
-    const FixedList<label, 3> held(support(mesh));
+    const labelList held(rigidSupport(mesh));
 
     matrixEntries kept;
     scalar largest = 0;
@@ -140,16 +126,27 @@ static Eigen::SparseMatrix<double> supported
         kept.emplace_back(unknown, unknown, largest);
     }
 
-    const label n = 2*mesh.points.size();
+    const label n = mesh.nDims()*mesh.points.size();
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(kept.begin(), kept.end());
     return matrix;
 }
 
 
-//- Sums over the boundary of some elements. With the normal (nx, ny) of area,
-//  the columns are the nodal forces of the unit stresses xx, yy, xy; their
-//  transpose times displacements gives the strains, times volume.
+//- Components of the unit stresses: xx, yy, xy or xx, yy, zz, xy, yz, zx
+static std::vector<std::pair<label, label>> stresses(const label nDims)
+{
+    if (nDims == 2)
+    {
+        return {{0, 0}, {1, 1}, {0, 1}};
+    }
+    return {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+}
+
+
+//- Sums over the boundary of some elements. With the normals of area, the
+//  columns are the nodal forces of the unit stresses; their transpose times
+//  displacements gives the strains, times volume.
 static Eigen::MatrixXd boundarySums
 (
     const shapeMesh& mesh,
@@ -157,21 +154,27 @@ static Eigen::MatrixXd boundarySums
     const scalar thickness
 )
 {
-    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(2*mesh.points.size(), 3);
+    const label nDims = mesh.nDims();
+    const auto loads = stresses(nDims);
+    Eigen::MatrixXd sums =
+        Eigen::MatrixXd::Zero(nDims*mesh.points.size(), loads.size());
     for (const label elementi : elements)
     {
         const bodyElement& e = mesh.elements[elementi];
-        for (label i = 0; i < 3; ++i)
+        for (label i = 0; i < nDims + 1; ++i)
         {
-            // The sides that a node has in the element have the normal of
-            // half the opposite side
-            const vector d =
-                mesh.points[e[(i + 1) % 3]] - mesh.points[e[(i + 2) % 3]];
-            const scalar nx = 0.5*thickness*d.y(), ny = -0.5*thickness*d.x();
-            sums(2*e[i], 0) += nx;
-            sums(2*e[i] + 1, 1) += ny;
-            sums(2*e[i], 2) += ny;
-            sums(2*e[i] + 1, 2) += nx;
+            // A node's part of the sides that it has in the element
+            const vector n =
+                thickness*strainDomains::volumeGradient(mesh, e, i);
+            for (std::size_t load = 0; load < loads.size(); ++load)
+            {
+                const label k = loads[load].first, l = loads[load].second;
+                sums(nDims*e[i] + k, load) += n[l];
+                if (k != l)
+                {
+                    sums(nDims*e[i] + l, load) += n[k];
+                }
+            }
         }
     }
     return sums;
@@ -183,7 +186,7 @@ static Eigen::MatrixXd boundarySums
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-std::vector<Eigen::Matrix3d> Foam::fsi::patchTest::compliances
+std::vector<Eigen::MatrixXd> Foam::fsi::patchTest::compliances
 (
     const shapeMesh& mesh,
     const edgeList& springs,
@@ -197,7 +200,7 @@ std::vector<Eigen::Matrix3d> Foam::fsi::patchTest::compliances
     (
         boundarySums(mesh, identity(mesh.elements.size()), thickness)
     );
-    for (const label unknown : support(mesh))
+    for (const label unknown : rigidSupport(mesh))
     {
         loads.row(unknown).setZero();
     }
@@ -217,7 +220,7 @@ std::vector<Eigen::Matrix3d> Foam::fsi::patchTest::compliances
     }
     const Eigen::MatrixXd displacements = solver.solve(loads);
 
-    std::vector<Eigen::Matrix3d> result;
+    std::vector<Eigen::MatrixXd> result;
     for (const labelList& region : regions)
     {
         const scalar volume =
@@ -234,13 +237,21 @@ std::vector<Eigen::Matrix3d> Foam::fsi::patchTest::compliances
 
 Foam::scalar Foam::fsi::patchTest::modulusInverse
 (
-    const Eigen::Matrix3d& S,
-    const scalar angle
+    const Eigen::MatrixXd& S,
+    const vector& n
 )
 {
-    const scalar c = std::cos(angle), s = std::sin(angle);
-    const Eigen::Vector3d n(c*c, s*s, c*s);
-    return n.dot(S*n);
+    if (S.rows() == 3)
+    {
+        const Eigen::Matrix3d plane(S);
+        const Eigen::Vector3d stress(sqr(n.x()), sqr(n.y()), n.x()*n.y());
+        return stress.dot(plane*stress);
+    }
+    Eigen::VectorXd stress(6);
+    stress <<
+        sqr(n.x()), sqr(n.y()), sqr(n.z()),
+        n.x()*n.y(), n.y()*n.z(), n.z()*n.x();
+    return stress.dot(S*stress);
 }
 
 

@@ -76,6 +76,118 @@ static labelList regionsOfSprings
     return result;
 }
 
+
+//- 1/E of a stretch at an angle in the plane [1/Pa]
+static scalar modulusInverse(const Eigen::MatrixXd& S, const scalar angle)
+{
+    return patchTest::modulusInverse
+    (
+        S, vector(std::cos(angle), std::sin(angle), 0)
+    );
+}
+
+
+//- 2D: correct the constants [N/m] until E is shown in all directions
+static void calibratePlanar
+(
+    const shapeMesh& mesh,
+    const edgeList& springs,
+    const volumeTerm& elementTerm,
+    const scalar thickness,
+    const scalar youngsModulus,
+    scalarField& constants
+)
+{
+    const scalar pi = constant::mathematical::pi;
+    const scalar factor =
+        regularFactor(youngsModulus, elementTerm.stiffness(), 2);
+
+    // Poisson's ratio from 2 mu (1 + nu) = E, and the gains of the harmonics
+    const scalar nu = 4/(3*factor) - 1;
+    const scalar gain0 = sqr(1 - nu) + 0.5*sqr(1 + nu);
+    const scalar gain2 = min(gain0/max(1 - sqr(nu), SMALL), scalar(4));
+    const scalar gain4 = 4*gain0/sqr(1 + nu);
+
+    const labelListList parts(regions(mesh, elementTerm.volumes(), thickness));
+    const labelList partOf(regionsOfSprings(mesh, springs, parts));
+    for (label iteration = 0; iteration < 30; ++iteration)
+    {
+        const auto compliances = patchTest::compliances
+        (
+            mesh, springs, constants, elementTerm, thickness, parts
+        );
+
+        scalar largest = 0;
+        forAll(springs, springi)
+        {
+            const Eigen::MatrixXd& S = compliances[partOf[springi]];
+            const vector d = springs[springi].vec(mesh.points);
+            const scalar angle = std::atan2(d.y(), d.x());
+            const scalar at0 = modulusInverse(S, angle);
+            const scalar at45 = modulusInverse(S, angle + 0.25*pi);
+            const scalar at90 = modulusInverse(S, angle + 0.5*pi);
+            const scalar at135 = modulusInverse(S, angle - 0.25*pi);
+
+            // Harmonics 0, 2 and 4 of E/E(angle)
+            const scalar mean =
+                0.25*youngsModulus*(at0 + at45 + at90 + at135);
+            const scalar second = 0.5*youngsModulus*(at0 - at90);
+            const scalar fourth = youngsModulus*at0 - mean - second;
+            const scalar correction = mean - 1 + gain2*second + gain4*fourth;
+            constants[springi] *= 1 + correction;
+            largest = max(largest, mag(correction));
+        }
+        if (largest < 1e-8)
+        {
+            break;
+        }
+    }
+}
+
+
+//- 3D: the same for springs without volume terms, which are isotropic within
+//  some per cent as they are
+static void calibrateSpatial
+(
+    const shapeMesh& mesh,
+    const edgeList& springs,
+    const scalar youngsModulus,
+    scalarField& constants
+)
+{
+    const volumeTerm none
+    (
+        mesh,
+        1,
+        0,
+        0,
+        strainDomains::kind::element,
+        strainDomains::kind::element
+    );
+    const labelListList whole(1, identity(mesh.elements.size()));
+    for (label iteration = 0; iteration < 30; ++iteration)
+    {
+        const Eigen::MatrixXd S = patchTest::compliances
+        (
+            mesh, springs, constants, none, 1, whole
+        )[0];
+
+        scalar largest = 0;
+        forAll(springs, springi)
+        {
+            const vector d = springs[springi].vec(mesh.points);
+            const scalar ratio =
+                youngsModulus*patchTest::modulusInverse(S, d/mag(d));
+            constants[springi] *= ratio;
+            largest = max(largest, mag(ratio - 1));
+        }
+        if (largest < 1e-3)
+        {
+            break;
+        }
+    }
+}
+
 } // End namespace springCalibration
 } // End namespace fsi
 } // End namespace Foam
@@ -100,10 +212,13 @@ Foam::scalarField Foam::fsi::springCalibration::vanGelder
     forAll(mesh.elements, elementi)
     {
         const bodyElement& element = mesh.elements[elementi];
-        for (label i = 0; i < 3; ++i)
+        for (label i = 0; i < mesh.nDims() + 1; ++i)
         {
-            const edge side(element[i], element[(i + 1) % 3]);
-            constants[springOf[side]] += volumes[elementi];
+            for (label j = 0; j < i; ++j)
+            {
+                const edge side(element[i], element[j]);
+                constants[springOf[side]] += volumes[elementi];
+            }
         }
     }
     forAll(springs, springi)
@@ -117,10 +232,17 @@ Foam::scalarField Foam::fsi::springCalibration::vanGelder
 Foam::scalar Foam::fsi::springCalibration::regularFactor
 (
     const scalar youngsModulus,
-    const scalar areaStiffness
+    const scalar areaStiffness,
+    const label nDims
 )
 {
     const scalar kappa = areaStiffness/youngsModulus;
+    if (nDims == 3)
+    {
+        const scalar b = 3*kappa - 4;
+        const scalar mu = (std::sqrt(b*b + 40*kappa) - b)/20;
+        return 5*mu/2;
+    }
     const scalar b = 2*kappa - 3;
     const scalar mu = (std::sqrt(b*b + 16*kappa) - b)/16;
     return 8*mu/3;
@@ -136,54 +258,21 @@ Foam::scalarField Foam::fsi::springCalibration::calibrated
     const scalar youngsModulus
 )
 {
-    const scalar pi = constant::mathematical::pi;
+    const label nDims = mesh.nDims();
     const scalar factor =
-        regularFactor(youngsModulus, elementTerm.stiffness());
-    scalarField constants
-    (
-        factor*youngsModulus*vanGelder(mesh, springs, elementTerm.volumes())
-    );
-
-    // Poisson's ratio from 2 mu (1 + nu) = E, and the gains of the harmonics
-    const scalar nu = 4/(3*factor) - 1;
-    const scalar gain0 = sqr(1 - nu) + 0.5*sqr(1 + nu);
-    const scalar gain2 = min(gain0/max(1 - sqr(nu), SMALL), scalar(4));
-    const scalar gain4 = 4*gain0/sqr(1 + nu);
-
-    const labelListList parts(regions(mesh, elementTerm.volumes(), thickness));
-    const labelList partOf(regionsOfSprings(mesh, springs, parts));
-    for (label iteration = 0; iteration < 30; ++iteration)
+        regularFactor(youngsModulus, elementTerm.stiffness(), nDims);
+    scalarField constants(vanGelder(mesh, springs, elementTerm.volumes()));
+    if (nDims == 3)
     {
-        const auto compliances = patchTest::compliances
-        (
-            mesh, springs, constants, elementTerm, thickness, parts
-        );
-
-        scalar largest = 0;
-        forAll(springs, springi)
-        {
-            const Eigen::Matrix3d& S = compliances[partOf[springi]];
-            const vector d = springs[springi].vec(mesh.points);
-            const scalar angle = std::atan2(d.y(), d.x());
-            const scalar at0 = patchTest::modulusInverse(S, angle);
-            const scalar at45 = patchTest::modulusInverse(S, angle + 0.25*pi);
-            const scalar at90 = patchTest::modulusInverse(S, angle + 0.5*pi);
-            const scalar at135 = patchTest::modulusInverse(S, angle - 0.25*pi);
-
-            // Harmonics 0, 2 and 4 of E/E(angle)
-            const scalar mean =
-                0.25*youngsModulus*(at0 + at45 + at90 + at135);
-            const scalar second = 0.5*youngsModulus*(at0 - at90);
-            const scalar fourth = youngsModulus*at0 - mean - second;
-            const scalar correction = mean - 1 + gain2*second + gain4*fourth;
-            constants[springi] *= 1 + correction;
-            largest = max(largest, mag(correction));
-        }
-        if (largest < 1e-8)
-        {
-            break;
-        }
+        constants *= youngsModulus;
+        calibrateSpatial(mesh, springs, youngsModulus, constants);
+        return factor*constants;
     }
+    constants *= factor*youngsModulus;
+    calibratePlanar
+    (
+        mesh, springs, elementTerm, thickness, youngsModulus, constants
+    );
     return constants;
 }
 

@@ -5,15 +5,43 @@
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-Foam::labelList Foam::fsi::strainDomains::domainOfCorners
+namespace Foam
+{
+namespace fsi
+{
+
+//- A corner's part in the area or volume of an element
+static scalar volumeShare
 (
     const shapeMesh& mesh,
-    const kind domainKind
+    const bodyElement& element,
+    const label i
 )
 {
-    labelList domains(3*mesh.elements.size());
+    const point& own = mesh.points[element[i]];
+    if (element[3] < 0)
+    {
+        const point& next = mesh.points[element[(i + 1) % 3]];
+        return (own.x()*next.y() - own.y()*next.x())/2;
+    }
+    return (own & strainDomains::volumeGradient(mesh, element, i))/3;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::labelList Foam::fsi::strainDomains::domainOfParts
+(
+    const shapeMesh& mesh,
+    const kind domainKind,
+    const label nCorners
+)
+{
     EdgeMap<label> edges;
     if (domainKind == kind::edge)
     {
@@ -22,15 +50,25 @@ Foam::labelList Foam::fsi::strainDomains::domainOfCorners
             edges.insert(e, edges.size());
         }
     }
+
+    DynamicList<label> domains;
     forAll(mesh.elements, elementi)
     {
         const bodyElement& element = mesh.elements[elementi];
-        for (label i = 0; i < 3; ++i)
+        if (domainKind == kind::element)
         {
-            domains[3*elementi + i] =
-                domainKind == kind::node ? element[i]
-              : domainKind == kind::triangle ? elementi
-              : edges[edge(element[i], element[(i + 1) % 3])];
+            domains.append(elementi);
+        }
+        for (label i = 0; i < nCorners; ++i)
+        {
+            if (domainKind == kind::node)
+            {
+                domains.append(element[i]);
+            }
+            for (label j = i + 1; domainKind == kind::edge && j < nCorners; ++j)
+            {
+                domains.append(edges[edge(element[i], element[j])]);
+            }
         }
     }
     return domains;
@@ -40,22 +78,19 @@ Foam::labelList Foam::fsi::strainDomains::domainOfCorners
 void Foam::fsi::strainDomains::append
 (
     const shapeMesh& mesh,
-    const labelList& triangles
+    const labelList& elements
 )
 {
-    // Area of the triangles, and its gradients by their nodes
-    scalar area = 0;
+    // Area or volume of the elements, and its gradients by their nodes
+    scalar volume = 0;
     std::vector<label> nodes;
     std::vector<vector> gradients;
-    for (const label trianglei : triangles)
+    for (const label elementi : elements)
     {
-        const bodyElement& element = mesh.elements[trianglei];
-        for (label i = 0; i < 3; ++i)
+        const bodyElement& element = mesh.elements[elementi];
+        for (label i = 0; i < nDims_ + 1; ++i)
         {
-            const point& next = mesh.points[element[(i + 1) % 3]];
-            const point& last = mesh.points[element[(i + 2) % 3]];
-            const point& own = mesh.points[element[i]];
-            area += (own.x()*next.y() - own.y()*next.x())/2;
+            volume += volumeShare(mesh, element, i);
 
             auto found = std::find(nodes.begin(), nodes.end(), element[i]);
             const std::size_t place = found - nodes.begin();
@@ -64,19 +99,19 @@ void Foam::fsi::strainDomains::append
                 nodes.push_back(element[i]);
                 gradients.push_back(Zero);
             }
-            gradients[place] +=
-                0.5*vector(next.y() - last.y(), last.x() - next.x(), 0);
+            gradients[place] += volumeGradient(mesh, element, i);
         }
     }
 
-    for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t n = 0; n < nodes.size(); ++n)
     {
-        nodes_.append(nodes[i]);
-        const vector offset = mesh.points[nodes[i]] - mesh.points[nodes[0]];
-        offsets_.append(offset.x());
-        offsets_.append(offset.y());
-        gradients_.append(gradients[i].x()/area);
-        gradients_.append(gradients[i].y()/area);
+        nodes_.append(nodes[n]);
+        const vector offset = mesh.points[nodes[n]] - mesh.points[nodes[0]];
+        for (label i = 0; i < nDims_; ++i)
+        {
+            offsets_.append(offset[i]);
+            gradients_.append(gradients[n][i]/volume);
+        }
     }
     start_.append(nodes_.size());
 }
@@ -91,55 +126,78 @@ Foam::fsi::strainDomains::strainDomains
     const kind domainKind
 )
 :
+    nDims_(mesh.nDims()),
     start_(1, label(0))
 {
-    // A triangle for itself has one part, else three of the same size
-    const label nParts = domainKind == kind::triangle ? 1 : 3;
-    const labelList domains(domainOfCorners(mesh, domainKind));
+    const labelList domains(domainOfParts(mesh, domainKind, nDims_ + 1));
+    const scalarField volumes(mesh.elementVolumes());
+    const label nParts = domains.size()/max(volumes.size(), 1);
     const label n =
         domains.empty()
       ? 0 : *std::max_element(domains.begin(), domains.end()) + 1;
-    const scalarField areas(mesh.elementVolumes());
 
-    List<DynamicList<label>> triangles(n);
+    List<DynamicList<label>> elements(n);
     volumes_ = scalarField(n, Zero);
-    forAll(areas, trianglei)
+    forAll(domains, parti)
     {
-        for (label i = 0; i < nParts; ++i)
-        {
-            const label domaini = domains[3*trianglei + i];
-            triangles[domaini].append(trianglei);
-            volumes_[domaini] += areas[trianglei]*thickness/nParts;
-        }
+        const label elementi = parti/nParts;
+        elements[domains[parti]].append(elementi);
+        volumes_[domains[parti]] += volumes[elementi]*thickness/nParts;
     }
-    for (const labelList& trianglesOfDomain : triangles)
+    for (const labelList& elementsOfDomain : elements)
     {
-        append(mesh, trianglesOfDomain);
+        append(mesh, elementsOfDomain);
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::vector Foam::fsi::strainDomains::volumeGradient
+(
+    const shapeMesh& mesh,
+    const bodyElement& element,
+    const label i
+)
+{
+    if (element[3] < 0)
+    {
+        const point& next = mesh.points[element[(i + 1) % 3]];
+        const point& last = mesh.points[element[(i + 2) % 3]];
+        return 0.5*vector(next.y() - last.y(), last.x() - next.x(), 0);
+    }
+
+    // The other three, counter-clockwise seen from this one
+    static const label others[4][3] =
+        {{1, 3, 2}, {0, 2, 3}, {1, 0, 3}, {0, 1, 2}};
+    const point& a = mesh.points[element[others[i][0]]];
+    const vector b = mesh.points[element[others[i][1]]] - a;
+    const vector c = mesh.points[element[others[i][2]]] - a;
+    return (b ^ c)/6;
+}
+
+
 void Foam::fsi::strainDomains::gradient
 (
     const label domaini,
     const Eigen::Ref<const Eigen::MatrixXd>& x,
     const bool atRest,
-    scalar (&F)[4]
+    scalar* F
 ) const
 {
     const label origin = nodes_[start_[domaini]];
-    std::fill(F, F + 4, 0);
-    for (label j = start_[domaini] + 1; j < start_[domaini + 1]; ++j)
+    std::fill(F, F + nDims_*nDims_, 0);
+    for (label n = start_[domaini] + 1; n < start_[domaini + 1]; ++n)
     {
-        for (int i = 0; i < 2; ++i)
+        for (label i = 0; i < nDims_; ++i)
         {
             const scalar d =
-                x(nodes_[j], i) - x(origin, i)
-              - (atRest ? offsets_[2*j + i] : 0);
-            F[2*i] += d*gradients_[2*j];
-            F[2*i + 1] += d*gradients_[2*j + 1];
+                x(nodes_[n], i) - x(origin, i)
+              - (atRest ? offsets_[nDims_*n + i] : 0);
+            for (label j = 0; j < nDims_; ++j)
+            {
+                F[nDims_*i + j] += d*gradients_[nDims_*n + j];
+            }
         }
     }
 }
@@ -148,18 +206,21 @@ void Foam::fsi::strainDomains::gradient
 void Foam::fsi::strainDomains::addForce
 (
     const label domaini,
-    const scalar (&P)[4],
+    const scalar* P,
     Eigen::Ref<Eigen::MatrixXd> force
 ) const
 {
     const label origin = nodes_[start_[domaini]];
-    for (label j = start_[domaini] + 1; j < start_[domaini + 1]; ++j)
+    for (label n = start_[domaini] + 1; n < start_[domaini + 1]; ++n)
     {
-        for (int i = 0; i < 2; ++i)
+        for (label i = 0; i < nDims_; ++i)
         {
-            const scalar f =
-                P[2*i]*gradients_[2*j] + P[2*i + 1]*gradients_[2*j + 1];
-            force(nodes_[j], i) -= f;
+            scalar f = 0;
+            for (label j = 0; j < nDims_; ++j)
+            {
+                f += P[nDims_*i + j]*gradients_[nDims_*n + j];
+            }
+            force(nodes_[n], i) -= f;
             force(origin, i) += f;
         }
     }
@@ -178,17 +239,20 @@ void Foam::fsi::strainDomains::addLaplacian
     }
     forAll(volumes_, domaini)
     {
-        for (label i = start_[domaini]; i < start_[domaini + 1]; ++i)
+        for (label m = start_[domaini]; m < start_[domaini + 1]; ++m)
         {
-            for (label j = start_[domaini]; j < start_[domaini + 1]; ++j)
+            for (label n = start_[domaini]; n < start_[domaini + 1]; ++n)
             {
-                const scalar product =
-                    gradients_[2*i]*gradients_[2*j]
-                  + gradients_[2*i + 1]*gradients_[2*j + 1];
+                scalar product = 0;
+                for (label i = 0; i < nDims_; ++i)
+                {
+                    product +=
+                        gradients_[nDims_*m + i]*gradients_[nDims_*n + i];
+                }
                 entries.emplace_back
                 (
-                    nodes_[i],
-                    nodes_[j],
+                    nodes_[m],
+                    nodes_[n],
                     weight*volumes_[domaini]*product
                 );
             }

@@ -10,9 +10,7 @@ namespace Foam
 namespace fsi
 {
 
-typedef strainDomains::kind domainKind;
-
-//- Volumes of the triangles; fatal for one that is not positively oriented
+//- Volumes of the elements; fatal for one that is not positively oriented
 static scalarField checkedVolumes(const shapeMesh& mesh, const scalar thickness)
 {
     const scalarField volumes(mesh.elementVolumes()*thickness);
@@ -39,20 +37,20 @@ Foam::fsi::volumeTerm::volumeTerm
 (
     const shapeMesh& mesh,
     const scalar thickness,
-    const scalar stiffness,
-    const bool smoothed
+    const scalar areaStiffness,
+    const scalar shearModulus,
+    const strainDomains::kind volumeDomains,
+    const strainDomains::kind shearDomains
 )
 :
-    stiffness_(stiffness),
-    volumes_(checkedVolumes(mesh, thickness)),
-    areaDomains_
+    stiffness_
     (
-        mesh, thickness, smoothed ? domainKind::node : domainKind::triangle
+        mesh.nDims() == 3 ? areaStiffness + 2*shearModulus/3 : areaStiffness
     ),
-    shearDomains_
-    (
-        mesh, thickness, smoothed ? domainKind::edge : domainKind::triangle
-    )
+    shearPart_(mesh.nDims() == 3 ? shearModulus/max(stiffness_, VSMALL) : 0),
+    volumes_(checkedVolumes(mesh, thickness)),
+    volumeDomains_(mesh, thickness, volumeDomains),
+    shearDomains_(mesh, thickness, shearDomains)
 {}
 
 

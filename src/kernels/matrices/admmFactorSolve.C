@@ -137,9 +137,13 @@ void Foam::fsi::admmFactor::solveRows(const int width, scalar* rows) const
 {
     switch (width)
     {
+        case 24: solveWidth<24>(rows); break;
         case 16: solveWidth<16>(rows); break;
+        case 12: solveWidth<12>(rows); break;
         case 8: solveWidth<8>(rows); break;
+        case 6: solveWidth<6>(rows); break;
         case 4: solveWidth<4>(rows); break;
+        case 3: solveWidth<3>(rows); break;
         default: solveWidth<2>(rows);
     }
 }

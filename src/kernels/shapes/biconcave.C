@@ -11,8 +11,17 @@ namespace Foam
 namespace fsi
 {
     defineTypeNameAndDebug(biconcave, 0);
-    addToRunTimeSelectionTable(shape, biconcave, dictionary);
+    addToRunTimeSelectionTable(shape, biconcave, planar);
 }
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+const Foam::FixedList<Foam::scalar, 3>& Foam::fsi::biconcave::coefficients()
+{
+    static const FixedList<scalar, 3> values({0.2072, 2.0026, -1.1228});
+    return values;
 }
 
 
@@ -36,11 +45,10 @@ Foam::pointField Foam::fsi::biconcave::curve() const
         [this](const scalar t)
         {
             const scalar s2 = sqr(std::cos(t));
-            const scalar profile = 0.2072 + s2*(2.0026 - 1.1228*s2);
             return point
             (
                 radius_*std::cos(t),
-                0.5*radius_*std::sin(t)*profile,
+                0.5*radius_*std::sin(t)*profile(s2),
                 0
             );
         }

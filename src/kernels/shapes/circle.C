@@ -11,7 +11,7 @@ namespace Foam
 namespace fsi
 {
     defineTypeNameAndDebug(circle, 0);
-    addToRunTimeSelectionTable(shape, circle, dictionary);
+    addToRunTimeSelectionTable(shape, circle, planar);
 }
 }
 

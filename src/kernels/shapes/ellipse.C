@@ -11,7 +11,7 @@ namespace Foam
 namespace fsi
 {
     defineTypeNameAndDebug(ellipse, 0);
-    addToRunTimeSelectionTable(shape, ellipse, dictionary);
+    addToRunTimeSelectionTable(shape, ellipse, planar);
 }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "outlineTools.H"
-#include "boundBox.H"
 #include "DynamicList.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -17,13 +16,6 @@ namespace outlineTools
 static scalar cross(const vector& a, const vector& b)
 {
     return a.x()*b.y() - a.y()*b.x();
-}
-
-
-//- The side that starts at a point
-static vector side(const pointField& polygon, const label i)
-{
-    return polygon[polygon.fcIndex(i)] - polygon[i];
 }
 
 
@@ -77,28 +69,6 @@ static void divide
             (target - length[i])/max(length[i + 1] - length[i], VSMALL);
         points.append(polygon[from] + fraction*side(polygon, from));
     }
-}
-
-
-//- Distance along a unit direction to a side, GREAT if it is not met
-static scalar hit
-(
-    const pointField& polygon,
-    const label sidei,
-    const point& from,
-    const vector& along
-)
-{
-    const vector s = side(polygon, sidei);
-    const vector d = polygon[sidei] - from;
-    const scalar det = cross(along, s);
-    if (mag(det) < VSMALL)
-    {
-        return GREAT;
-    }
-    const scalar distance = cross(d, s)/det;
-    const scalar place = cross(d, along)/det;
-    return distance > 0 && place >= 0 && place <= 1 ? distance : GREAT;
 }
 
 } // End namespace outlineTools
@@ -238,45 +208,6 @@ Foam::pointField Foam::fsi::outlineTools::resample
         divide(polygon, start, nSides, nParts, points);
     }
     return pointField(std::move(points));
-}
-
-
-Foam::scalar Foam::fsi::outlineTools::minimumThickness
-(
-    const pointField& polygon
-)
-{
-    scalar smallest = GREAT;
-    forAll(polygon, i)
-    {
-        const vector s = side(polygon, i);
-        const vector inward = vector(-s.y(), s.x(), 0)/mag(s);
-        const point middle = polygon[i] + 0.5*s;
-
-        scalar nearest = GREAT;
-        label opposite = -1;
-        forAll(polygon, j)
-        {
-            const scalar length =
-                j == i ? GREAT : hit(polygon, j, middle, inward);
-            if (length < nearest)
-            {
-                nearest = length;
-                opposite = j;
-            }
-        }
-        if (opposite >= 0)
-        {
-            const vector t = side(polygon, opposite);
-            if ((s & t) < -0.966*mag(s)*mag(t))
-            {
-                smallest = min(smallest, nearest);
-            }
-        }
-    }
-
-    const vector span = boundBox(polygon, false).span();
-    return smallest < GREAT ? smallest : min(span.x(), span.y());
 }
 
 

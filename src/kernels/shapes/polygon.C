@@ -21,7 +21,7 @@ namespace Foam
 namespace fsi
 {
     defineTypeNameAndDebug(polygon, 0);
-    addToRunTimeSelectionTable(shape, polygon, dictionary);
+    addToRunTimeSelectionTable(shape, polygon, planar);
 }
 }
 

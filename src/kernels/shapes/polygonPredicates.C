@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "polygonPredicates.H"
-#include "boundBox.H"
+#include "boxPairs.H"
 #include "DynamicList.H"
 #include "ListOps.H"
 
@@ -94,50 +94,6 @@ static bool overlap(const corners& a, const corners& b)
     return holds(a, b.front()) || holds(b, a.front());
 }
 
-
-//- Polygons and their images: those within one period of the others
-struct imageList
-{
-    DynamicList<label> polygon;
-    std::vector<corners> points;
-    std::vector<CGAL::Bbox_2> boxes;
-
-    void append(const label i, const pointField& moved)
-    {
-        polygon.append(i);
-        points.push_back(cornersOf(moved));
-        boxes.push_back(boxOf(points.back()));
-    }
-};
-
-
-static imageList imagesOf(const UList<pointField>& polygons, const vector& L)
-{
-    imageList images;
-    forAll(polygons, i)
-    {
-        // All polygons begin in one cell of the periods
-        vector home(Zero);
-        for (direction d = 0; d < 2; ++d)
-        {
-            home[d] =
-                L[d] > 0
-              ? -L[d]*std::floor(polygons[i].first()[d]/L[d])
-              : 0;
-        }
-        const label nx = L.x() > 0, ny = L.y() > 0;
-        for (label x = -nx; x <= nx; ++x)
-        {
-            for (label y = -ny; y <= ny; ++y)
-            {
-                const vector shift(home + vector(x*L.x(), y*L.y(), 0));
-                images.append(i, polygons[i] + shift);
-            }
-        }
-    }
-    return images;
-}
-
 } // End namespace polygonPredicates
 } // End namespace fsi
 } // End namespace Foam
@@ -168,36 +124,19 @@ Foam::List<Foam::labelPair> Foam::fsi::polygonPredicates::overlapping
     const vector& period
 )
 {
-    const imageList images = imagesOf(polygons, period);
-
-    // Sweep over the boxes in the order of their left sides
-    labelList order(identity(images.polygon.size()));
-    std::sort
-    (
-        order.begin(), order.end(),
-        [&](const label a, const label b)
-        {
-            return images.boxes[a].xmin() < images.boxes[b].xmin();
-        }
-    );
+    List<boundBox> boxes(polygons.size());
+    forAll(boxes, i)
+    {
+        boxes[i] = boundBox(polygons[i], false);
+    }
 
     DynamicList<labelPair> found;
-    forAll(order, k)
+    for (const boxPair& pair : boxPairs(boxes, period, 2))
     {
-        const label a = order[k];
-        const scalar right = images.boxes[a].xmax();
-        for (label m = k + 1; m < order.size(); ++m)
+        const pointField moved(polygons[pair.first] + pair.shift);
+        if (overlap(moved, polygons[pair.second]))
         {
-            const label b = order[m];
-            if (images.boxes[b].xmin() > right)
-            {
-                break;
-            }
-            const label i = images.polygon[a], j = images.polygon[b];
-            if (i != j && overlap(images.points[a], images.points[b]))
-            {
-                found.append(labelPair(min(i, j), max(i, j)));
-            }
+            found.append(labelPair(pair.first, pair.second));
         }
     }
     std::sort(found.begin(), found.end());

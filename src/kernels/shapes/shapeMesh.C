@@ -6,6 +6,63 @@
 #include <set>
 #include <utility>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Cosine of a triangle's smallest angle
+static scalar cosineInTriangle(const pointField& points, const bodyElement& e)
+{
+    scalar largest = -1;
+    for (label i = 0; i < 3; ++i)
+    {
+        const point& a = points[e[i]];
+        const vector b = points[e[(i + 1) % 3]] - a;
+        const vector c = points[e[(i + 2) % 3]] - a;
+        largest = max(largest, (b & c)/(mag(b)*mag(c)));
+    }
+    return largest;
+}
+
+
+//- Cosine of a tetrahedron's smallest dihedral angle
+static scalar cosineInTetrahedron
+(
+    const pointField& points,
+    const bodyElement& e
+)
+{
+    // Outward normals, each opposite to a corner
+    const point& a = points[e[0]];
+    const vector b = points[e[1]] - a;
+    const vector c = points[e[2]] - a;
+    const vector d = points[e[3]] - a;
+    const FixedList<vector, 4> normals
+    ({
+        normalised((c - b)^(d - b)),
+        normalised(d^c),
+        normalised(b^d),
+        normalised(c^b)
+    });
+
+    scalar largest = -1;
+    for (label i = 0; i < 4; ++i)
+    {
+        for (label j = i + 1; j < 4; ++j)
+        {
+            largest = max(largest, -(normals[i] & normals[j]));
+        }
+    }
+    return largest;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::edgeList Foam::fsi::shapeMesh::edges() const
@@ -55,13 +112,13 @@ Foam::scalar Foam::fsi::shapeMesh::smallestAngle() const
     scalar largestCosine = -1;
     for (const bodyElement& element : elements)
     {
-        for (label i = 0; i < 3; ++i)
-        {
-            const point& a = points[element[i]];
-            const vector b = points[element[(i + 1) % 3]] - a;
-            const vector c = points[element[(i + 2) % 3]] - a;
-            largestCosine = max(largestCosine, (b & c)/(mag(b)*mag(c)));
-        }
+        largestCosine = max
+        (
+            largestCosine,
+            element[3] < 0
+          ? cosineInTriangle(points, element)
+          : cosineInTetrahedron(points, element)
+        );
     }
     return radToDeg(std::acos(min(largestCosine, scalar(1))));
 }

@@ -11,7 +11,7 @@ namespace Foam
 namespace fsi
 {
     defineTypeNameAndDebug(star, 0);
-    addToRunTimeSelectionTable(shape, star, dictionary);
+    addToRunTimeSelectionTable(shape, star, planar);
 }
 }
 

@@ -189,6 +189,20 @@ Foam::List<Foam::fsi::bodyElement> Foam::fsi::triangulation::triangulate
 }
 
 
+Foam::List<Foam::fsi::surfaceFace> Foam::fsi::triangulation::sides
+(
+    const pointField& polygon
+)
+{
+    List<surfaceFace> result(polygon.size());
+    forAll(result, i)
+    {
+        result[i] = surfaceFace({i, polygon.fcIndex(i), -1});
+    }
+    return result;
+}
+
+
 Foam::fsi::shapeMesh Foam::fsi::triangulation::mesh
 (
     const pointField& polygon,
@@ -220,13 +234,7 @@ Foam::fsi::shapeMesh Foam::fsi::triangulation::mesh
         }
     }
 
-    best.faces.resize(polygon.size());
-    forAll(best.faces, i)
-    {
-        best.faces[i][0] = i;
-        best.faces[i][1] = polygon.fcIndex(i);
-        best.faces[i][2] = -1;
-    }
+    best.faces = sides(polygon);
     return best;
 }
 

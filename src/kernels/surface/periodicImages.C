@@ -4,26 +4,56 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+bool Foam::fsi::periodicImages::longer
+(
+    const boundBox& bounds,
+    const direction d,
+    const scalar distance
+) const
+{
+    return period_[d] > 0 && bounds.span()[d] + distance > period_[d];
+}
+
+
 void Foam::fsi::periodicImages::check
 (
     const label objecti,
+    const bool fixed,
     const boundBox& bounds,
     const scalar distance
 ) const
 {
     for (direction d = 0; d < 3; ++d)
     {
-        const scalar length = bounds.span()[d];
-        if (period_[d] > 0 && length + distance > period_[d])
+        if (!longer(bounds, d, distance))
+        {
+            continue;
+        }
+        const bool through =
+            bounds.min()[d] < domain_.min()[d] - distance
+         && bounds.max()[d] > domain_.max()[d] + distance;
+        if (!fixed)
         {
             FatalErrorInFunction
-                << "Object " << objecti << " is " << length
+                << "Object " << objecti << " is " << bounds.span()[d]
                 << " m long in direction " << label(d)
                 << ", from " << bounds.min() << " to " << bounds.max()
                 << ": with the gap of " << distance
                 << " m (range of contact or band of the level set) to its own"
                 << " image it does not fit into the period of the cyclic"
                 << " patches, " << period_[d] << " m"
+                << exit(FatalError);
+        }
+        else if (!through)
+        {
+            FatalErrorInFunction
+                << "Fixed object " << objecti << ", from " << bounds.min()
+                << " to " << bounds.max() << ", is longer than the period of"
+                << " the cyclic patches, " << period_[d]
+                << " m in direction " << label(d)
+                << ". It must go through the domain, from below "
+                << domain_.min()[d] - distance << " to above "
+                << domain_.max()[d] + distance << " m"
                 << exit(FatalError);
         }
     }
@@ -35,6 +65,7 @@ void Foam::fsi::periodicImages::findImages
     const label objecti,
     const boundBox& bounds,
     const boundBox& box,
+    const scalar distance,
     const direction nDims,
     DynamicList<label>& originals,
     DynamicList<vector>& shifts
@@ -42,7 +73,10 @@ void Foam::fsi::periodicImages::findImages
 {
     const auto steps = [&](const direction d)
     {
-        return label(d < nDims && period_[d] > 0 ? 1 : 0);
+        return label
+        (
+            d < nDims && period_[d] > 0 && !longer(bounds, d, distance)
+        );
     };
 
     labelVector n;
@@ -115,24 +149,31 @@ const Foam::fsi::surfaceSet& Foam::fsi::periodicImages::update
     forAll(bounds, objecti)
     {
         bounds[objecti] = surfaces.bounds(objecti);
-        check(objecti, bounds[objecti], distance);
+        check(objecti, surfaces.fixed(objecti), bounds[objecti], distance);
         box.add(bounds[objecti]);
     }
     box = boundBox(box.min() - margin, box.max() + margin);
 
     DynamicList<label> originals;
     DynamicList<vector> shifts;
-    forAll(bounds, objecti)
+    for (const bool fixed : {true, false})
     {
-        findImages
-        (
-            objecti,
-            bounds[objecti],
-            box,
-            surfaces.nDims(),
-            originals,
-            shifts
-        );
+        forAll(bounds, objecti)
+        {
+            if (surfaces.fixed(objecti) == fixed)
+            {
+                findImages
+                (
+                    objecti,
+                    bounds[objecti],
+                    box,
+                    distance,
+                    surfaces.nDims(),
+                    originals,
+                    shifts
+                );
+            }
+        }
     }
 
     all_ = surfaces;

@@ -78,6 +78,7 @@ Foam::label Foam::fsi::surfaceSet::append
     }
     faceObject_.append(labelList(faces.size(), objecti));
     faceStart_.append(faces_.size());
+    fixed_.append(false);
 
     return objecti;
 }

@@ -43,24 +43,41 @@ static scalar solidAngle(const vector& a, const vector& b, const vector& c)
 
 Foam::scalar Foam::fsi::windingNumber
 (
-    const surfaceSet& surfaces,
-    const label objecti,
+    const UList<point>& x,
+    const UList<surfaceFace>& faces,
     const point& p
 )
 {
-    const labelList& start = surfaces.faceStart();
-    const pointField& x = surfaces.points();
-    const bool plane = surfaces.nDims() == 2;
+    const bool plane = faces.size() && faces[0][2] < 0;
 
     scalar sum = 0;
-    for (label facei = start[objecti]; facei < start[objecti + 1]; ++facei)
+    for (const surfaceFace& f : faces)
     {
-        const surfaceFace& f = surfaces.faces()[facei];
         const vector a(x[f[0]] - p);
         const vector b(x[f[1]] - p);
         sum += plane ? crossing(a, b) : solidAngle(a, b, x[f[2]] - p);
     }
     return plane ? sum : sum/(4*constant::mathematical::pi);
+}
+
+
+Foam::scalar Foam::fsi::windingNumber
+(
+    const surfaceSet& surfaces,
+    const label objecti,
+    const point& p
+)
+{
+    const label start = surfaces.faceStart()[objecti];
+    return windingNumber
+    (
+        surfaces.points(),
+        SubList<surfaceFace>
+        (
+            surfaces.faces(), surfaces.faceStart()[objecti + 1] - start, start
+        ),
+        p
+    );
 }
 
 

@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "admmControls.H"
-#include "dictionaryCheck.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::admmControls::admmControls(const dictionary& dict)
+Foam::fsi::admmControls::admmControls
+(
+    const dictionary& dict,
+    const direction nDims
+)
 :
     quasiNewton
     (
         readChoice(dict, "scheme", "quasiNewton", {"ADMM", "quasiNewton"})
      == "quasiNewton"
     ),
-    iterations(readAtLeast(dict, "iterations", quasiNewton ? 8 : 10, 1)),
+    iterations
+    (
+        readBetween(dict, "iterations", quasiNewton ? 8 : 10, 1, 100000)
+    ),
     tolerance(readNonNegative(dict, "tolerance", 0)),
-    springWeight(readPositive(dict, "springWeight", quasiNewton ? 0.5 : 1)),
-    areaWeight(readPositive(dict, "areaWeight", quasiNewton ? 0.25 : 0.5)),
+    springWeight
+    (
+        readPositive(dict, "springWeight", quasiNewton ? 1.0/nDims : 1)
+    ),
+    areaWeight
+    (
+        readPositive(dict, "areaWeight", quasiNewton ? 0.5/nDims : 0.5)
+    ),
     conserving
     (
         readChoice

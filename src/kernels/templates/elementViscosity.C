@@ -12,6 +12,7 @@ namespace elementViscosity
 {
 
 //- Add -N v of one copy
+template<int nDims>
 static void addForceOfCopy
 (
     const shapeTemplate& shape,
@@ -20,27 +21,63 @@ static void addForceOfCopy
     Eigen::Ref<Eigen::MatrixXd> force
 )
 {
+    typedef Eigen::Matrix<scalar, nDims, nDims> matrix;
+    const int n = nDims*nDims;
     const strainDomains& domains = shape.elementTerm().shearDomains();
     for (label domaini = 0; domaini < domains.size(); ++domaini)
     {
-        scalar F[4], rate[4];
+        scalar F[n], rate[n], C[n];
         domains.gradient(domaini, x, true, F);
         domains.gradient(domaini, v, false, rate);
+        for (int i = 0; i < nDims; ++i)
+        {
+            F[(nDims + 1)*i] += 1;
+        }
+        volumeTerm::cofactors<nDims>(F, C);
 
-        // Gradients in space are (cof F) g, where areas are kept
-        Eigen::Matrix2d cofactors, dF;
-        cofactors << F[3] + 1, -F[2], -F[1], F[0] + 1;
-        dF << rate[0], rate[1], rate[2], rate[3];
-        const Eigen::Matrix2d gradient = dF*cofactors.transpose();
+        // Gradients in space are (cof F) g, where volumes are kept
+        matrix cofactors, dF;
+        for (int i = 0; i < n; ++i)
+        {
+            cofactors(i/nDims, i % nDims) = C[i];
+            dF(i/nDims, i % nDims) = rate[i];
+        }
+        const matrix gradient = dF*cofactors.transpose();
         const scalar viscosity =
             shape.viscosity()
            *min(1.0, largestStretchSqr/cofactors.squaredNorm());
-        const Eigen::Matrix2d P =
+        const matrix P =
             viscosity*domains.volumes()[domaini]
            *(gradient + gradient.transpose())*cofactors;
-        domains.addForce
+        for (int i = 0; i < n; ++i)
+        {
+            C[i] = P(i/nDims, i % nDims);
+        }
+        domains.addForce(domaini, C, force);
+    }
+}
+
+
+//- The same for a range
+template<int nDims>
+static void addForces
+(
+    const shapeTemplate& shape,
+    const Eigen::MatrixXd& positions,
+    const Eigen::MatrixXd& velocities,
+    const labelRange& copies,
+    Eigen::MatrixXd& force
+)
+{
+    for (const label copyi : copies)
+    {
+        const label column = nDims*copyi;
+        addForceOfCopy<nDims>
         (
-            domaini, {P(0, 0), P(0, 1), P(1, 0), P(1, 1)}, force
+            shape,
+            positions.middleCols(column, nDims),
+            velocities.middleCols(column, nDims),
+            force.middleCols(column, nDims)
         );
     }
 }
@@ -61,16 +98,13 @@ void Foam::fsi::elementViscosity::addForce
     Eigen::MatrixXd& force
 )
 {
-    for (const label copyi : copies)
+    if (shape.nDims() == 2)
     {
-        const label column = 2*copyi;
-        addForceOfCopy
-        (
-            shape,
-            positions.middleCols(column, 2),
-            velocities.middleCols(column, 2),
-            force.middleCols(column, 2)
-        );
+        addForces<2>(shape, positions, velocities, copies, force);
+    }
+    else
+    {
+        addForces<3>(shape, positions, velocities, copies, force);
     }
 }
 

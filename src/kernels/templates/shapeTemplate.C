@@ -2,11 +2,9 @@
 
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
-#include "elasticMaterial.H"
-#include "elementViscosity.H"
-#include "shape.H"
-
-#include <algorithm>
+#include "massPoints.H"
+#include "newShapeMesh.H"
+#include "stepMatrix.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -14,23 +12,6 @@ namespace Foam
 {
 namespace fsi
 {
-
-//- Number of factors kept
-static const std::size_t nKeptFactors = 4;
-
-//- The sub-dictionary of the spring law; Hookean if there is none
-static autoPtr<springLaw> newLaw(const dictionary& material, const scalar E)
-{
-    checkSubDicts(material, {"springLaw"});
-    if (material.found("springLaw"))
-    {
-        return springLaw::New(material.subDict("springLaw"), E);
-    }
-    dictionary hookean;
-    hookean.add("type", word("Hookean"));
-    return springLaw::New(hookean, E);
-}
-
 
 //- The material of a membrane; null for an elastic body
 static autoPtr<membraneMaterial> newMembrane(const dictionary& material)
@@ -68,10 +49,13 @@ static shapeMesh newMesh
     const direction nDims
 )
 {
-    return shape::New(dict.subDict("shape"), nDims)->mesh
+    return newShapeMesh
     (
+        dict.subDict("shape"),
+        nDims,
         nodeSpacing,
-        meshGrading(dict.subOrEmptyDict("mesh"))
+        meshGrading(dict.subOrEmptyDict("mesh")),
+        true
     );
 }
 
@@ -81,44 +65,80 @@ static shapeMesh newMesh
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Eigen::SparseMatrix<double> Foam::fsi::shapeTemplate::matrix
-(
-    const scalar dt
-) const
+void Foam::fsi::shapeTemplate::setGeometry()
 {
-    std::vector<Eigen::Triplet<double>> entries;
-
-    forAll(nodeMasses_, nodei)
-    {
-        entries.emplace_back(nodei, nodei, nodeMasses_[nodei]);
-    }
-
-    const scalarField weights(sqr(dt)*springWeights(dt));
+    restLengths_.resize(springs_.size());
     forAll(springs_, springi)
     {
-        const label a = springs_[springi].first();
-        const label b = springs_[springi].second();
-        entries.emplace_back(a, a, weights[springi]);
-        entries.emplace_back(b, b, weights[springi]);
-        entries.emplace_back(a, b, -weights[springi]);
-        entries.emplace_back(b, a, -weights[springi]);
+        // As the solver computes lengths, so that a body at rest has no force
+        const vector d =
+            mesh_.points[springs_[springi].second()]
+          - mesh_.points[springs_[springi].first()];
+        scalar squares = 0;
+        for (label i = 0; i < nDims_; ++i)
+        {
+            squares += d[i]*d[i];
+        }
+        restLengths_[springi] = std::sqrt(squares);
     }
 
-    const volumeTerm& term = *volumeTerm_;
-    term.areaDomains().addLaplacian
-    (
-        sqr(dt)*admm_.areaWeight*areaStiffness_,
-        entries
-    );
-    term.shearDomains().addLaplacian
-    (
-        2*sqr(dt)*shearModulus_ + dt*elementViscosity::boundRatio*viscosity_,
-        entries
-    );
+    volumeTerm_ = elastic_->newVolumeTerm(mesh_, thickness_);
+    referenceVolume_ = sum(volumeTerm_->volumes())/thickness_;
+}
 
-    Eigen::SparseMatrix<double> matrix(nNodes(), nNodes());
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    return matrix;
+
+void Foam::fsi::shapeTemplate::checkEntries(const dictionary& dict) const
+{
+    const bool iterates = !membrane_.valid() && !rigid_;
+    if (iterates)
+    {
+        elastic_->checkEntries(materialDict_);
+    }
+    else if (dict.found("admm"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'admm' in dictionary " << dict.name()
+            << " has no meaning for a material of type "
+            << (rigid_ ? "rigid" : "membrane") << exit(FatalIOError);
+    }
+    if (rigid_)
+    {
+        checkKeys(materialDict_, {"type", "density"});
+    }
+}
+
+
+void Foam::fsi::shapeTemplate::setMaterial(const bool newMaterial)
+{
+    if (membrane_.valid())
+    {
+        springConstants_ =
+            membrane_->springConstants(mesh_, restLengths_, thickness_);
+        bending_.reset(new bendingTerm(mesh_, *membrane_, thickness_));
+        youngsModulus_ = membrane_->youngsModulus(referenceVolume_);
+    }
+    else if (newMaterial)
+    {
+        springConstants_ = elastic_->springConstants
+        (
+            mesh_, springs_, *volumeTerm_, thickness_
+        );
+    }
+    if (newMaterial)
+    {
+        nodeMasses_ = elastic_->nodeMasses
+        (
+            mesh_, *volumeTerm_, thickness_, density_
+        );
+    }
+}
+
+
+void Foam::fsi::shapeTemplate::setSurfaceAlone()
+{
+    const massPoints body(mesh_, nDims_);
+    referenceVolume_ = body.volume();
+    nodeMasses_ = body.masses(mass());
 }
 
 
@@ -178,42 +198,31 @@ Foam::fsi::shapeTemplate::shapeTemplate
     materialDict_(dict.subDict("material")),
     density_(readPositive(materialDict_, "density")),
     membrane_(newMembrane(materialDict_)),
-    youngsModulus_
+    rigid_(materialDict_.lookupOrDefault<word>("type", "") == "rigid"),
+    elastic_
     (
-        membrane_.valid() ? 0 : readPositive(materialDict_, "E")
+        rigid_
+      ? nullptr
+      : new elasticMaterial(materialDict_, nDims, membrane_.valid())
     ),
-    areaStiffness_
+    youngsModulus_(rigid_ ? GREAT : elastic_->youngsModulus),
+    admm_(dict.subOrEmptyDict("admm"), nDims),
+    mesh_
     (
-        readNonNegative(materialDict_, "areaStiffness", 10*youngsModulus_)
+        rigid_ || mesh.elements.empty()
+      ? massPoints(mesh, nDims).mesh()
+      : mesh
     ),
-    shearModulus_
-    (
-        elasticMaterial::shearModulus
-        (
-            materialDict_, youngsModulus_, areaStiffness_
-        )
-    ),
-    viscosity_(elasticMaterial::viscosity(materialDict_, areaStiffness_)),
-    law_(newLaw(materialDict_, youngsModulus_)),
-    admm_(dict.subOrEmptyDict("admm")),
-    mesh_(mesh),
-    springs_(newSprings(mesh_, membrane_.valid())),
-    nFactorisations_(0)
+    springs_(newSprings(mesh_, membrane_.valid()))
 {
-    elasticMaterial::check(dict, membrane_.valid());
+    checkEntries(dict);
+    if (elements().empty())
+    {
+        setSurfaceAlone();
+        return;
+    }
     setGeometry();
-    if (membrane_.valid())
-    {
-        setMembrane();
-    }
-    if (newMaterial)
-    {
-        if (!membrane_.valid())
-        {
-            setElasticSprings();
-        }
-        setMasses();
-    }
+    setMaterial(newMaterial);
 }
 
 
@@ -230,7 +239,7 @@ Foam::scalarField Foam::fsi::shapeTemplate::springWeights
     const scalar dt
 ) const
 {
-    return admm_.springWeight*law_->stiffnessRatio(dt)*springConstants_;
+    return admm_.springWeight*law().stiffnessRatio(dt)*springConstants_;
 }
 
 
@@ -253,28 +262,12 @@ const Foam::fsi::admmFactor& Foam::fsi::shapeTemplate::factor
             << " of their own" << exit(FatalError);
     }
 
-    auto found = std::find_if
+    return factors_.get
     (
-        factors_.begin(),
-        factors_.end(),
-        [dt](const auto& f) { return f->deltaT() == dt; }
+        dt,
+        nBoundaryNodes(),
+        [this](const scalar step) { return stepMatrix(*this, step); }
     );
-    if (found == factors_.end())
-    {
-        factors_.push_back
-        (
-            std::make_unique<admmFactor>(matrix(dt), nBoundaryNodes(), dt)
-        );
-        ++nFactorisations_;
-        found = std::prev(factors_.end());
-    }
-
-    std::rotate(factors_.begin(), found, std::next(found));
-    if (factors_.size() > nKeptFactors)
-    {
-        factors_.pop_back();
-    }
-    return *factors_.front();
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
+#include "meshEntries.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -9,54 +10,6 @@ namespace Foam
 {
 namespace fsi
 {
-
-//- Labels of all members of a list, one after the other
-template<class Labels>
-static labelList flatten(const List<Labels>& lists)
-{
-    labelList flat(lists.size()*Labels().size());
-    label next = 0;
-    for (const Labels& labels : lists)
-    {
-        for (const label i : labels)
-        {
-            flat[next++] = i;
-        }
-    }
-    return flat;
-}
-
-
-//- The inverse of flatten
-template<class Labels>
-static List<Labels> unflatten(const dictionary& dict, const word& key)
-{
-    const labelList flat(dict.get<labelList>(key));
-    List<Labels> lists(flat.size()/Labels().size());
-
-    label next = 0;
-    for (Labels& labels : lists)
-    {
-        for (label& i : labels)
-        {
-            i = flat[next++];
-        }
-    }
-    return lists;
-}
-
-
-//- The mesh in a dictionary made by shapeTemplate::write()
-static shapeMesh readMesh(const dictionary& dict)
-{
-    shapeMesh mesh;
-    mesh.points = dict.get<pointField>("points");
-    mesh.nBoundary = dict.get<label>("nBoundaryNodes");
-    mesh.faces = unflatten<surfaceFace>(dict, "faces");
-    mesh.elements = unflatten<bodyElement>(dict, "elements");
-    return mesh;
-}
-
 
 //- Fatal unless a field has the size
 static void checkSize
@@ -91,14 +44,11 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
     os.writeEntry("thickness", thickness_);
     os.writeEntry("nodeSpacing", nodeSpacing_);
     materialDict_.writeEntry("material", os);
-    if (!membrane_.valid())
+    if (!membrane_.valid() && !rigid_)
     {
         admm_.write(os);
     }
-    os.writeEntry("nBoundaryNodes", mesh_.nBoundary);
-    mesh_.points.UList<point>::writeEntry("points", os);
-    flatten(mesh_.faces).writeEntry("faces", os);
-    flatten(mesh_.elements).writeEntry("elements", os);
+    writeMesh(os, mesh_);
     springConstants_.UList<scalar>::writeEntry("springConstants", os);
     nodeMasses_.UList<scalar>::writeEntry("nodeMasses", os);
 

@@ -6,7 +6,7 @@ Program
 Description
     Prints, as CSV, what a step of the solids costs and how exact it is: copies
     of a disc of some 258 nodes, squeezed and bent for 20 steps by forces on
-    their surface, without a fluid.
+    their surface, without a fluid; or how stiff bodies in 3D are (solidTables).
 
     reach: l/h = dt sqrt(E/rho)/h, how many node spacings a step's waves go.
     change: A^-1 r of the last iteration over the node spacing, the largest of
@@ -16,9 +16,13 @@ Description
 
 Usage
     solidsTable [COPIES]        default 640
+    solidsTable locking         compliance of a sphere, over the exact one
+    solidsTable bending         compliance of a bar in bending, the same
+    solidsTable iterations      error of a step of a bar by its iterations
 \*---------------------------------------------------------------------------*/
 
 #include "samples.H"
+#include "solidTables.H"
 #include "SortableList.H"
 
 #include <cstdio>
@@ -148,7 +152,13 @@ void printRow
 
 int main(int argc, char* argv[])
 {
-    const label nCopies = argc > 1 ? std::atoi(argv[1]) : 640;
+    const word table(argc > 1 ? argv[1] : "640");
+    if (table == "locking" || table == "bending" || table == "iterations")
+    {
+        solidTables::print(table);
+        return 0;
+    }
+    const label nCopies = std::atoi(table.c_str());
     const auto shape = disc("density 1000; E 1e4;", "", spacing);
     const auto group = groupOf(*shape);
     group->append(Zero, tensor::I, Zero, Zero, 0);

@@ -12,6 +12,7 @@ import os
 import re
 import sys
 
+import boxFiles
 import fsiCase
 
 SHAPE = ("disc {{ shape {{ {shape} }} material {{ density {density}; E 1e4; "
@@ -235,7 +236,7 @@ def check_sides(report, folder):
     with open(path, encoding="ascii") as stream:
         text = stream.read()
     right = re.search(r"right \{.*\n", text).group()
-    faces = fsiCase.FACES
+    faces = boxFiles.FACES
     text = text.replace(right, "").replace(
         faces["left"], f"{faces['left']} {faces['right']}")
     with open(path, "w", encoding="ascii") as stream:

@@ -7,8 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include "discsInBox.H"
+#include "discSurfaces.H"
 #include "faceVelocities.H"
+#include "sphereSurfaces.H"
+#include "surfacesInBox.H"
 #include "wallOperator.H"
 
 using namespace Foam;
@@ -17,9 +19,26 @@ using namespace Foam::fsi;
 namespace
 {
 
-const point centre(15.7, 10.2, 0);
+constexpr scalar radius = 7.1;
 
-//- Velocity at a place relative to the disc's centre
+//- A body in a box
+surfacesInBox bodyInBox(const direction nDims, const direction split)
+{
+    return surfacesInBox
+    (
+        nDims == 2 ? labelVector(32, 20, 1) : labelVector(24, 20, 18),
+        nDims,
+        split
+    );
+}
+
+//- Its centre
+point centreOf(const direction nDims)
+{
+    return nDims == 2 ? point(15.7, 10.2, 0) : point(11.7, 10.2, 8.9);
+}
+
+//- Velocity at a place relative to the body's centre
 typedef vector (*flow)(const vector& r);
 
 vector strain(const vector& r)
@@ -27,9 +46,24 @@ vector strain(const vector& r)
     return vector(r.x() + 0.5*r.y(), 0.5*r.x() - r.y(), 0);
 }
 
+vector strainInSpace(const vector& r)
+{
+    return vector
+    (
+        0.6*r.x() + 0.5*r.y() - 0.3*r.z(),
+        0.5*r.x() - r.y() + 0.2*r.z(),
+        -0.3*r.x() + 0.2*r.y() + 0.4*r.z()
+    );
+}
+
 vector rotation(const vector& r)
 {
     return vector(-r.y(), r.x(), 0);
+}
+
+vector rotationInSpace(const vector& r)
+{
+    return vector(0.6, -0.5, 0.6) ^ r;
 }
 
 vector none(const vector&)
@@ -37,20 +71,33 @@ vector none(const vector&)
     return vector(Zero);
 }
 
-//- Around the disc, at rest on it
+//- Around the body, at rest on it
+template<flow turning>
 vector shear(const vector& r)
 {
-    return (1 - discsInBox::radius/mag(r))*rotation(r);
+    return (1 - radius/mag(r))*turning(r);
 }
 
 
-//- Largest sum of fluxes of a cell of the disc's surroundings over the velocity
+//- Largest sum of fluxes of a cell of the body's surroundings over the velocity
 //  gradient, which is about 1
-scalar largestSource(const flow fluid, const flow wall, const direction split)
+scalar largestSource
+(
+    const flow fluid,
+    const flow wall,
+    const direction nDims,
+    const direction split
+)
 {
-    discsInBox disc(split);
-    disc.move({centre});
-    const fvMesh& mesh = disc.mesh();
+    surfacesInBox body(bodyInBox(nDims, split));
+    const point centre(centreOf(nDims));
+    body.move
+    (
+        nDims == 2
+      ? discSurfaces({centre}, radius, 96)
+      : sphereSurfaces({centre}, radius, 4)
+    );
+    const fvMesh& mesh = body.mesh();
     volVectorField U
     (
         IOobject("U", mesh.time().timeName(), mesh),
@@ -60,22 +107,22 @@ scalar largestSource(const flow fluid, const flow wall, const direction split)
     forAll(U, celli)
     {
         vector r(mesh.C()[celli] - centre);
-        r.z() = 0;
+        r.z() = nDims == 2 ? 0 : r.z();
         U[celli] = fluid(r);
     }
     U.correctBoundaryConditions();
-    vectorField v(disc.surfaces().points().size());
+    vectorField v(body.surfaces().points().size());
     forAll(v, nodei)
     {
-        v[nodei] = wall(disc.surfaces().points()[nodei] - centre);
+        v[nodei] = wall(body.surfaces().points()[nodei] - centre);
     }
 
     const surfaceScalarField velocity
     (
-        faceVelocities(disc.geometry()).velocity({U, v, nullptr, 0})
+        faceVelocities(body.geometry()).velocity({U, v, nullptr, 0})
     );
-    wallOperator walls(disc.geometry());
-    walls.update(disc.surfaces());
+    wallOperator walls(body.geometry());
+    walls.update(body.surfaces());
     scalarField source(walls.cells().size(), Zero);
     walls.addGrossFluxAtWalls(v, source);
     scalar largest = 0;
@@ -87,7 +134,7 @@ scalar largestSource(const flow fluid, const flow wall, const direction split)
             const label patchi = mesh.boundaryMesh().whichPatch(facei);
             const label start =
                 patchi < 0 ? 0 : mesh.boundaryMesh()[patchi].start();
-            const scalar open = disc.geometry().openness()[facei];
+            const scalar open = body.geometry().openness()[facei];
             if (patchi < 0 || mesh.boundaryMesh()[patchi].coupled())
             {
                 const scalar flux =
@@ -96,10 +143,10 @@ scalar largestSource(const flow fluid, const flow wall, const direction split)
                   : velocity.boundaryField()[patchi][facei - start];
                 source[i] +=
                     (mesh.faceOwner()[facei] == celli ? flux : -flux)
-                   *open*disc.grid().faceArea();
+                   *open*body.grid().faceArea();
             }
         }
-        largest = max(largest, mag(source[i])/disc.grid().faceArea());
+        largest = max(largest, mag(source[i])/body.grid().faceArea());
     }
     return returnReduce(largest, maxOp<scalar>());
 }
@@ -113,8 +160,8 @@ TEST(cutCellFluxes, ofALinearVelocityAddUpToNothing)
     // ones: 1.35 for the strain, 0.26 for the rotation
     for (direction split = 0; split < 2; ++split)
     {
-        EXPECT_LT(largestSource(strain, strain, split), 0.05);
-        EXPECT_LT(largestSource(rotation, rotation, split), 0.05);
+        EXPECT_LT(largestSource(strain, strain, 2, split), 0.05);
+        EXPECT_LT(largestSource(rotation, rotation, 2, split), 0.05);
     }
 }
 
@@ -124,7 +171,21 @@ TEST(cutCellFluxes, ofAShearFlowAlongAWallAddUpToNothing)
     // With the velocity in the middle of each face for all of it: 0.11
     for (direction split = 0; split < 2; ++split)
     {
-        EXPECT_LT(largestSource(shear, none, split), 0.04);
+        EXPECT_LT(largestSource(shear<rotation>, none, 2, split), 0.04);
+    }
+}
+
+
+TEST(cutCellFluxes, inSpace)
+{
+    for (direction split = 0; split < 3; ++split)
+    {
+        const flow turning = rotationInSpace;
+        EXPECT_LT(largestSource(turning, turning, 3, split), 0.05);
+        const flow straining = strainInSpace;
+        EXPECT_LT(largestSource(straining, straining, 3, split), 0.05);
+        const flow along = shear<rotationInSpace>;
+        EXPECT_LT(largestSource(along, none, 3, split), 0.05);
     }
 }
 

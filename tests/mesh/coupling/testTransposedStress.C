@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "discsInBox.H"
+#include "sphereSurfaces.H"
 #include "sumOverRanks.H"
 #include "transposedStress.H"
 
@@ -32,42 +33,66 @@ vector velocity(const vector& rates, const point& x)
 }
 
 
-//- Force on the surfaces of discs that move with a field, and its sums
-struct movedDiscs
+//- Force on the surfaces of bodies that move with a field, and its sums
+struct movedBodies
 {
     vectorField force;
     scalar power = 0;
-    scalar torque = 0;
+    vector torque = Zero;
 
-    movedDiscs(const discsInBox& discs, const vector& rates, const bool linear)
+    movedBodies
+    (
+        const surfacesInBox& bodies,
+        const vectorField& v,
+        const bool linear
+    )
     :
-        force(discs.surfaces().points().size(), Zero)
+        force(v.size(), Zero)
     {
-        const surfaceSet& surfaces = discs.surfaces();
-        const pointField& x = surfaces.points();
-        vectorField v(x.size());
-        forAll(x, i)
-        {
-            v[i] = velocity(rates, x[i]);
-        }
+        const surfaceSet& surfaces = bodies.surfaces();
         addTransposedForce
         (
-            transposedModes(surfaces, discs.geometry(), viscosity, linear),
+            transposedModes(surfaces, bodies.geometry(), viscosity, linear),
             surfaces.pointStart(),
             v,
             force
         );
-        forAll(x, i)
+        forAll(v, i)
         {
             power += force[i] & v[i];
-            torque += (x[i] ^ force[i]).z();
+            torque += surfaces.points()[i] ^ force[i];
         }
     }
 };
 
 
+//- The same of discs that rotate and strain
+struct movedDiscs
+:
+    movedBodies
+{
+    static vectorField velocities(const pointField& x, const vector& rates)
+    {
+        vectorField v(x.size());
+        forAll(x, i)
+        {
+            v[i] = velocity(rates, x[i]);
+        }
+        return v;
+    }
+
+    movedDiscs(const discsInBox& discs, const vector& rates, const bool linear)
+    :
+        movedBodies
+        (
+            discs, velocities(discs.surfaces().points(), rates), linear
+        )
+    {}
+};
+
+
 //- Wall faces that reach the surface nodes
-scalarField facesOfNodes(const discsInBox& discs)
+scalarField facesOfNodes(const surfacesInBox& discs)
 {
     scalarField faces(discs.surfaces().points().size(), Zero);
     for (const wallLink& link : discs.geometry().wallLinks())
@@ -80,7 +105,7 @@ scalarField facesOfNodes(const discsInBox& discs)
 
 
 //- The largest sum of t^2 over the wall faces, of the modes on an object
-scalar driveOfLinks(const discsInBox& discs, const label objecti)
+scalar driveOfLinks(const surfacesInBox& discs, const label objecti)
 {
     const scalarField faces(facesOfNodes(discs));
     const labelList& start = discs.surfaces().pointStart();
@@ -122,11 +147,11 @@ TEST(TransposedStress, powerAndTorqueAreThoseOfTheExactStress)
             const scalar strain = sqr(rates[1]) + sqr(rates[2]);
             const scalar expected = strength*(strain - sqr(omega));
             EXPECT_NEAR(all.power, expected, 1e-9*strength);
-            EXPECT_NEAR(all.torque, -strength*omega, 1e-9*strength);
+            EXPECT_NEAR(all.torque.z(), -strength*omega, 1e-9*strength);
             EXPECT_LT(mag(sum(all.force)), 1e-9*strength);
         }
         const movedDiscs turning(discs, vector(1, 0, 0), false);
-        EXPECT_NEAR(turning.torque, -strength, 1e-9*strength);
+        EXPECT_NEAR(turning.torque.z(), -strength, 1e-9*strength);
         EXPECT_NEAR(turning.power, -strength, 1e-9*strength);
     }
 }
@@ -176,6 +201,65 @@ TEST(TransposedStress, objectsThatTheFluidHardlyTouchesAreDrivenLess)
         const movedDiscs turned(discs, vector(1, 2, 3), false);
         EXPECT_TRUE(std::isfinite(moved.power));
         EXPECT_TRUE(std::isfinite(turned.power));
+    }
+}
+
+
+TEST(TransposedStress, powerAndTorqueInSpaceAreThoseOfTheExactStress)
+{
+    // Strains free of divergence with rotations about any axis
+    const List<tensor> fields
+    ({
+        tensor(0, -1, 0, 1, 0, 0, 0, 0, 0),
+        tensor(0, 0.3, -0.5, -0.3, 0, 0.7, 0.5, -0.7, 0),
+        tensor(1, 0, 0, 0, 1, 0, 0, 0, -2),
+        tensor(0.2, 1, -0.4, 0.1, -0.5, 0.3, 0.6, 0.9, 0.3)
+    });
+    for (direction split = 0; split < 3; ++split)
+    {
+        surfacesInBox spheres(labelVector(16, 14, 12), 3, split);
+        spheres.move(sphereSurfaces({point(8.3, 7.2, 6.1)}, 4.3, 3));
+        const pointField& x = spheres.surfaces().points();
+        const scalar strength = viscosity*spheres.surfaces().volume(0);
+        for (const tensor& G : fields)
+        {
+            const vectorField v(vector(3, 1, 2) + (G & x));
+            const tensor R(skew(G));
+            const vector spin(R.zy(), R.xz(), R.yx());
+            const movedBodies all(spheres, v, true);
+            EXPECT_NEAR(all.power, strength*tr(G & G), 1e-9*strength);
+            EXPECT_LT(mag(all.torque + 2*strength*spin), 1e-9*strength);
+            EXPECT_LT(mag(sum(all.force)), 1e-9*strength);
+
+            // The rotation alone, where there is no strain
+            const movedBodies turning
+            (
+                spheres, vectorField(vector(3, 1, 2) + (R & x)), false
+            );
+            EXPECT_NEAR
+            (
+                turning.power, -2*strength*magSqr(spin), 1e-9*strength
+            );
+            EXPECT_LT(mag(turning.torque + 2*strength*spin), 1e-9*strength);
+        }
+
+        // A cap of one sphere looks out between others
+        EXPECT_LT(driveOfLinks(spheres, 0), 0.15*viscosity);
+        const point centre(8.3, 7.2, 6.1);
+        spheres.move
+        (
+            sphereSurfaces
+            (
+                {
+                    centre,
+                    centre + vector(1, 1.5, 0),
+                    centre - vector(0, 1.5, 1)
+                },
+                4.3,
+                3
+            )
+        );
+        EXPECT_NEAR(driveOfLinks(spheres, 0), 0.5*viscosity, 1e-9);
     }
 }
 

@@ -199,7 +199,7 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
     {
         fsi::objectWriter writer
         (
-            box.time(), someObjects::dict("binary no; globalEvery 2;")
+            box.time(), someObjects::dict("binary no; globalEvery 2;"), 2
         );
         stepRecord record;
         for (label stepi = 0; stepi < 5; ++stepi)
@@ -223,7 +223,7 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
     ASSERT_EQ(objectRows.size(), 1u + 2*5);
     for (const auto& row : objectRows)
     {
-        EXPECT_EQ(row.size(), 21u);
+        EXPECT_EQ(row.size(), 25u);
     }
     EXPECT_EQ(objectRows[0][0], "time");
     EXPECT_EQ(objectRows[6][0], "0.75");
@@ -233,8 +233,8 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
 
     const auto globalRows = readTable(folder/"global.csv");
     ASSERT_EQ(globalRows.size(), 1u + 3);
-    EXPECT_EQ(globalRows[0].size(), 20u);
-    EXPECT_EQ(globalRows[3].size(), 20u);
+    EXPECT_EQ(globalRows[0].size(), 26u);
+    EXPECT_EQ(globalRows[3].size(), 26u);
     EXPECT_EQ(globalRows[3][0], "1");
 
     const std::string series = readText(folder/"surfaces.vtp.series");
@@ -257,7 +257,7 @@ TEST(ObjectWriter, refusesUnknownKeys)
         {
             fsi::objectWriter writer
             (
-                box.time(), someObjects::dict("surface yes;")
+                box.time(), someObjects::dict("surface yes;"), 2
             );
         }
     );

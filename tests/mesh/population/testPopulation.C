@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "nodeVelocities.H"
 #include "someObjects.H"
 #include "PstreamReduceOps.H"
 
@@ -74,7 +75,6 @@ void testRoundTrip(const word& writeFormat)
     }
     EXPECT_EQ(read.surfaces().points(), written->surfaces().points());
     EXPECT_EQ(read.surfaces().velocities(), written->surfaces().velocities());
-    EXPECT_EQ(read.nodeMass(), written->nodeMass());
 
     // The id of a removed object is not used again
     EXPECT_EQ
@@ -152,7 +152,7 @@ TEST(Population, layoutsAreConvertedThereAndBack)
         values[i] = vector(i, -2*i, 7);
     }
     List<Eigen::MatrixXd> groupNodal;
-    objects->toGroups(values, groupNodal);
+    objects->layout().toGroups(values, groupNodal);
 
     const label nBoundary = objects->shape(0).nBoundaryNodes();
     const label start = objects->surfaces().pointStart()[1];
@@ -166,7 +166,7 @@ TEST(Population, layoutsAreConvertedThereAndBack)
     );
 
     vectorField back;
-    objects->toSurface(groupNodal, back);
+    objects->layout().toSurface(groupNodal, back);
     ASSERT_EQ(back.size(), n);
     forAll(back, i)
     {
@@ -175,16 +175,49 @@ TEST(Population, layoutsAreConvertedThereAndBack)
 }
 
 
-TEST(Population, nodeMassIsThatOfTheBoundaryNodes)
+TEST(Population, boundaryLayoutHasTheBoundaryRows)
 {
     boxMesh box(labelVector(8, 8, 1), 2);
     autoPtr<population> objects = someObjects::make(box.time());
+    const fsi::nodeLayout& layout = objects->layout();
+    EXPECT_EQ(layout.nSurface(), objects->surfaces().points().size());
+    EXPECT_EQ(layout.nNodes(), objects->nNodes());
 
-    const label start = objects->surfaces().pointStart()[3];
-    EXPECT_EQ(objects->nodeMass().size(), objects->surfaces().points().size());
-    EXPECT_EQ(objects->nodeMass()[0], objects->shape(0).nodeMasses()[0]);
-    EXPECT_EQ(objects->nodeMass()[start], objects->shape(1).nodeMasses()[0]);
-    EXPECT_NE(objects->nodeMass()[0], objects->nodeMass()[start]);
+    vectorField values(layout.nSurface());
+    forAll(values, i)
+    {
+        values[i] = vector(3*i, 1 - i, 0);
+    }
+    List<Eigen::MatrixXd> groupNodal, boundary;
+    layout.toGroups(values, groupNodal);
+    layout.toBoundary(values, boundary);
+    forAll(boundary, groupi)
+    {
+        const label nB = objects->shape(groupi).nBoundaryNodes();
+        EXPECT_EQ(boundary[groupi].rows(), nB);
+        EXPECT_EQ(boundary[groupi], groupNodal[groupi].topRows(nB));
+        EXPECT_EQ(boundary[groupi], layout.boundaryOf(groupNodal)[groupi]);
+    }
+    vectorField back;
+    layout.toSurface(boundary, back);
+    EXPECT_EQ(back, values);
+}
+
+
+TEST(Population, velocitiesHaveOneOwner)
+{
+    boxMesh box(labelVector(8, 8, 1), 2);
+    autoPtr<population> objects = someObjects::make(box.time());
+    fsi::nodeVelocities v(objects->layout());
+    EXPECT_EQ(max(mag(v.surface())), 0);
+
+    // The surface's view follows each change
+    v.change()[0].setConstant(2);
+    EXPECT_EQ(v.surface()[0], vector(2, 2, 0));
+    v.change()[0](0, 1) = 5;
+    EXPECT_EQ(v.surface()[0], vector(2, 5, 0));
+    v.reset();
+    EXPECT_EQ(max(mag(v.surface())), 0);
 }
 
 

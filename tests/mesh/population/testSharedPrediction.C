@@ -25,7 +25,7 @@ TEST(predictShared, isThatOfEachGroupOnAnyRanks)
     someObjects::deform(*objects);
 
     List<Eigen::MatrixXd> force, v;
-    objects->zeroGroups(force);
+    objects->layout().zero(force);
     for (Eigen::MatrixXd& f : force)
     {
         f.setConstant(0.3);

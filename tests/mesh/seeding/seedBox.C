@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <gtest/gtest.h>
+
 #include "seedBox.H"
 #include "../population/someObjects.H"
+#include "../../unit/levelSet/testSurfaces.H"
 #include "placement.H"
 #include "unitConversion.H"
 
 using namespace Foam;
-using Foam::fsi::outline;
+using Foam::fsi::closedSurface;
 using Foam::fsi::packing;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -15,7 +18,7 @@ namespace
 {
 
 //- Outline of an ellipse
-outline ellipse(const scalar a, const scalar b)
+closedSurface ellipse(const scalar a, const scalar b)
 {
     const label n = 40;
     pointField points(n);
@@ -24,7 +27,7 @@ outline ellipse(const scalar a, const scalar b)
         const scalar angle = degToRad(i*360.0/n);
         points[i] = point(a*Foam::cos(angle), b*Foam::sin(angle), 0);
     }
-    return outline(points);
+    return seedBox::outline(points);
 }
 
 } // End namespace
@@ -37,6 +40,46 @@ tensor seedBox::rotation(const scalar degrees)
     const scalar c = Foam::cos(degToRad(degrees));
     const scalar s = Foam::sin(degToRad(degrees));
     return tensor(c, -s, 0, s, c, 0, 0, 0, 1);
+}
+
+
+closedSurface seedBox::outline(const pointField& nodes)
+{
+    List<fsi::surfaceFace> segments(nodes.size());
+    forAll(segments, i)
+    {
+        segments[i][0] = i;
+        segments[i][1] = nodes.fcIndex(i);
+        segments[i][2] = -1;
+    }
+    return closedSurface(nodes, segments);
+}
+
+
+closedSurface seedBox::ellipsoid(const vector& axes, const label nCuts)
+{
+    fsi::surfaceSet surfaces(3);
+    appendSphere(surfaces, Zero, 1, nCuts);
+    pointField points(surfaces.points());
+    for (point& p : points)
+    {
+        p = cmptMultiply(p, axes);
+    }
+    return closedSurface(points, surfaces.faces());
+}
+
+
+packing seedBox::emptyCube(const vector& period)
+{
+    return packing
+    (
+        boundBox(point(0, 0, 0), point(1, 1, 1)), 0.02,
+        {"sphere", "cell"},
+        {
+            ellipsoid({0.1, 0.1, 0.1}, 3), ellipsoid({0.12, 0.12, 0.05}, 3)
+        },
+        period
+    );
 }
 
 
@@ -59,10 +102,28 @@ void seedBox::place(packing& space, const std::string& text)
 }
 
 
+void seedBox::expectPieces
+(
+    const std::string& text,
+    const std::vector<std::string>& pieces
+)
+{
+    for (const std::string& piece : pieces)
+    {
+        EXPECT_NE(text.find(piece), std::string::npos) << piece << ": " << text;
+    }
+}
+
+
+std::string seedBox::errorIn(packing space, const std::string& text)
+{
+    return someObjects::errorText([&]() { place(space, text); });
+}
+
+
 std::string seedBox::errorOf(const std::string& text, const vector& period)
 {
-    packing space(emptyBox(period));
-    return someObjects::errorText([&]() { place(space, text); });
+    return errorIn(emptyBox(period), text);
 }
 
 

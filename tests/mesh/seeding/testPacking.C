@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "seedBox.H"
+#include "outlineLoop.H"
 #include "Random.H"
 
 using namespace Foam;
-using Foam::fsi::outline;
+using Foam::fsi::closedSurface;
 using Foam::fsi::packing;
 using Foam::fsi::placedObject;
 using seedBox::rotation;
@@ -15,9 +16,9 @@ namespace
 {
 
 //- Outline of a rectangle
-outline rectangle(const point& low, const point& high)
+closedSurface rectangle(const point& low, const point& high)
 {
-    return outline
+    return seedBox::outline
     (
         pointField
         ({
@@ -28,9 +29,9 @@ outline rectangle(const point& low, const point& high)
 
 
 //- A square ring with a gap of 0.2 on its right side (a letter C)
-outline letterC()
+closedSurface letterC()
 {
-    return outline
+    return seedBox::outline
     (
         pointField
         ({
@@ -46,7 +47,7 @@ outline letterC()
 
 TEST(Outline, distanceIsExact)
 {
-    const outline square = rectangle({0, 0, 0}, {1, 1, 0});
+    const closedSurface square = rectangle({0, 0, 0}, {1, 1, 0});
 
     // Side to side, corner to corner, and corner to side
     EXPECT_DOUBLE_EQ
@@ -57,7 +58,7 @@ TEST(Outline, distanceIsExact)
     (
         square.distance(rectangle({1.3, 1.4, 0}, {2, 3, 0})), 0.5
     );
-    const outline tilted =
+    const closedSurface tilted =
         rectangle({-1, -1, 0}, {1, 1, 0}).moved(rotation(45), {3, 0.5, 0});
     EXPECT_NEAR(square.distance(tilted), 2 - Foam::sqrt(2.0), 1e-14);
     EXPECT_NEAR(tilted.distance(square), 2 - Foam::sqrt(2.0), 1e-14);
@@ -66,11 +67,11 @@ TEST(Outline, distanceIsExact)
 
 TEST(Outline, crossingAndEnclosedOutlinesAreAtDistanceZero)
 {
-    const outline square = rectangle({0, 0, 0}, {1, 1, 0});
-    const outline cross = rectangle({0.4, -1, 0}, {0.6, 2, 0});
-    const outline inner = rectangle({0.4, 0.4, 0}, {0.6, 0.6, 0});
+    const closedSurface square = rectangle({0, 0, 0}, {1, 1, 0});
+    const closedSurface cross = rectangle({0.4, -1, 0}, {0.6, 2, 0});
+    const closedSurface inner = rectangle({0.4, 0.4, 0}, {0.6, 0.6, 0});
 
-    for (const outline& other : {cross, inner})
+    for (const closedSurface& other : {cross, inner})
     {
         EXPECT_EQ(square.distance(other), 0);
         EXPECT_EQ(other.distance(square), 0);
@@ -83,8 +84,8 @@ TEST(Outline, crossingAndEnclosedOutlinesAreAtDistanceZero)
 
 TEST(Outline, aBodyMayLieInTheHollowOfAnother)
 {
-    const outline hollow = letterC();
-    const outline inner = rectangle({0.4, 0.4, 0}, {0.6, 0.6, 0});
+    const closedSurface hollow = letterC();
+    const closedSurface inner = rectangle({0.4, 0.4, 0}, {0.6, 0.6, 0});
     EXPECT_NEAR(hollow.distance(inner), 0.3, 1e-14);
     EXPECT_FALSE(hollow.closerThan(inner, 0.29));
     EXPECT_TRUE(hollow.closerThan(inner, 0.31));
@@ -97,7 +98,7 @@ TEST(Outline, closerThanAgreesWithDistance)
     label nClose = 0;
     for (label i = 0; i < 300; ++i)
     {
-        const outline moved = letterC().moved
+        const closedSurface moved = letterC().moved
         (
             rotation(360*random.sample01<scalar>()),
             4*random.sample01<vector>() - vector(2, 2, 0)
@@ -120,7 +121,10 @@ TEST(Outline, loopFollowsSegmentsInAnyOrder)
         fsi::surfaceFace({2, 4, -1}),
         fsi::surfaceFace({7, 2, -1})
     });
-    EXPECT_EQ(outline::loop(segments), labelList({4, 7, 2}));
+    fsi::surfaceSet surfaces(2);
+    surfaces.append(pointField(3, Zero), List<fsi::surfaceFace>());
+    surfaces.append(pointField(8, Zero), segments);
+    EXPECT_EQ(fsi::outlineLoop(surfaces, 1), labelList({7, 10, 5}));
 }
 
 
@@ -153,24 +157,24 @@ TEST(Packing, findsWhatACompleteSearchFinds)
     for (label i = 0; i < 20; ++i)
     {
         const placedObject to = next(space[i].shape);
-        space.move(i, to.centre, to.rotation, space.placedOutline(to));
+        space.move(i, to.centre, to.rotation, space.placed(to));
     }
 
     label nFound = 0;
     for (label i = 0; i < 200; ++i)
     {
-        const outline candidate = space.placedOutline(next(0));
+        const closedSurface candidate = space.placed(next(0));
         const scalar gap = 0.2*random.sample01<scalar>();
         label nClose = 0;
         for (label j = 0; j < space.size(); ++j)
         {
-            nClose += space.objectOutline(j).distance(candidate) <= gap;
+            nClose += space.surface(j).distance(candidate) <= gap;
         }
         const label found = space.findConflict(candidate, gap);
         EXPECT_EQ(found >= 0, nClose > 0) << i;
         if (found >= 0)
         {
-            EXPECT_LE(space.objectOutline(found).distance(candidate), gap);
+            EXPECT_LE(space.surface(found).distance(candidate), gap);
             ++nFound;
             if (nClose == 1)
             {
@@ -201,7 +205,7 @@ TEST(Packing, attachedObjectsMayReachOutOfTheDomain)
         object.shape = shape;
         object.centre = x;
         object.rotation = tensor::I;
-        return space.inDomain(object, space.placedOutline(object), gap);
+        return space.inDomain(object, space.placed(object), gap);
     };
     for (const label shape : {0, 1})
     {

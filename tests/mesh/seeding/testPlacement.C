@@ -5,10 +5,9 @@
 #include "seedBox.H"
 #include "OFstream.H"
 #include "OSspecific.H"
-#include "outlineTools.H"
 
 using namespace Foam;
-using Foam::fsi::outline;
+using Foam::fsi::closedSurface;
 using Foam::fsi::packing;
 using namespace seedBox;
 
@@ -26,7 +25,7 @@ scalar smallestGap(const packing& space)
             smallest = min
             (
                 smallest,
-                space.objectOutline(i).distance(space.objectOutline(j))
+                space.surface(i).distance(space.surface(j))
             );
         }
     }
@@ -40,7 +39,7 @@ scalar areaFraction(const packing& space)
     scalar sum = 0;
     for (label i = 0; i < space.size(); ++i)
     {
-        sum += fsi::outlineTools::area(space.objectOutline(i).points());
+        sum += space.surface(i).volume();
     }
     return sum/2;
 }
@@ -51,7 +50,7 @@ void expectInside(const packing& space, const boundBox& box)
 {
     for (label i = 0; i < space.size(); ++i)
     {
-        EXPECT_TRUE(packing::inside(space.objectOutline(i), box, 0)) << i;
+        EXPECT_TRUE(space.surface(i).inside(box, 0)) << i;
     }
 }
 
@@ -75,7 +74,7 @@ TEST(Placement, listedObjectsAreWhereTheyAreListed)
     EXPECT_EQ(space[1].shape, 1);
     EXPECT_EQ(space[1].velocity, vector(0, 2, 0));
     EXPECT_EQ(space[1].angularVelocity, vector(0, 0, 3));
-    EXPECT_NEAR(space.objectOutline(1).bounds().span().y(), 0.16, 1e-12);
+    EXPECT_NEAR(space.surface(1).bounds().span().y(), 0.16, 1e-12);
 }
 
 
@@ -230,7 +229,7 @@ TEST(Placement, csvRowsReplaceTheDictionary)
     ASSERT_EQ(space.size(), 2);
     EXPECT_EQ(space[0].velocity, vector(1.5, 7, 0));
     EXPECT_EQ(space[1].shape, 1);
-    EXPECT_NEAR(space.objectOutline(1).bounds().span().y(), 0.16, 1e-12);
+    EXPECT_NEAR(space.surface(1).bounds().span().y(), 0.16, 1e-12);
 
     rm(file);
 }

@@ -9,24 +9,6 @@
 using namespace Foam;
 using namespace seedBox;
 
-namespace
-{
-
-//- Expect all of a number of pieces in a text
-void expectPieces
-(
-    const std::string& text,
-    const std::vector<std::string>& pieces
-)
-{
-    for (const std::string& piece : pieces)
-    {
-        EXPECT_NE(text.find(piece), std::string::npos) << piece << ": " << text;
-    }
-}
-
-} // End namespace
-
 
 TEST(Placement, refusesOverlapNamingBothObjects)
 {
@@ -200,6 +182,7 @@ TEST(Placement, refusesWrongEntries)
         errorOf("type lattice; shape disc; spacing (3 0.5 0);"), {"'spacing'"}
     );
 }
+
 
 TEST(Placement, refusesLinesOfAFileByNumber)
 {

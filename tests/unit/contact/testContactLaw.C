@@ -75,7 +75,7 @@ TEST(ContactLaw, forcesAndMomentsBalance)
 {
     for (const std::string& text : potentialLaws)
     {
-        rigidDiscs world(twoDiscs(37, 52, 0.1));
+        rigidBodies world(twoDiscs(37, 52, 0.1));
         contact law(dictOf("law {" + text + "}"), 2, 0.1, 50);
         world.advance(law, 0.01);
 
@@ -102,7 +102,7 @@ TEST(ContactLaw, nodeSpacingDoesNotMatter)
     vector coarse(Zero), fine(Zero);
     for (const label n : {60, 240})
     {
-        rigidDiscs world(twoDiscs(n, n, 0.12));
+        rigidBodies world(twoDiscs(n, n, 0.12));
         contact law(dictOf(""), 2, 0.1, 50);
         world.advance(law, 1e-5);
         (n == 60 ? coarse : fine) = forceOn(world, 1);
@@ -118,8 +118,8 @@ TEST(ContactLaw, sameInAMovingFrameAndInTheMirror)
     vector base(Zero), moving(Zero), mirrored(Zero);
     for (label variant = 0; variant < 3; ++variant)
     {
-        rigidDiscs world(twoDiscs(40, 40, 0.1));
-        for (rigidDiscs::disc& d : world.discs)
+        rigidBodies world(twoDiscs(40, 40, 0.1));
+        for (rigidBodies::solid& d : world.solids)
         {
             if (variant == 1)
             {
@@ -146,7 +146,7 @@ TEST(ContactLaw, sameInAMovingFrameAndInTheMirror)
 
 TEST(ContactLaw, noneCountsOnly)
 {
-    rigidDiscs world(twoDiscs(60, 60, 0.1));
+    rigidBodies world(twoDiscs(60, 60, 0.1));
     contact law(dictOf("law { type none; }"), 2, 0.1, 50);
     world.advance(law, 0.01);
     EXPECT_EQ(sum(mag(world.force)), 0);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "IStringStream.H"
-#include "rigidDiscs.H"
+#include "rigidBodies.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -28,12 +28,12 @@ struct collision
     //- Speeds at which they part and met
     scalar after, before;
 
-    collision(rigidDiscs& world, contact& law, const scalar dt, const scalar t)
+    collision(rigidBodies& world, contact& law, const scalar dt, const scalar t)
     {
         const vector p(world.momentum());
-        const scalar l = world.angularMomentum();
+        const vector l(world.angularMomentum());
         const scalar e = world.kineticEnergy();
-        before = mag(world.discs[1].velocity - world.discs[0].velocity);
+        before = mag(world.solids[1].velocity - world.solids[0].velocity);
         for (label i = 0; i*dt < t; ++i)
         {
             const scalar kinetic = world.kineticEnergy();
@@ -46,17 +46,17 @@ struct collision
             momentumError = max(momentumError, mag(world.momentum() - p));
             angularError = max(angularError, mag(world.angularMomentum() - l));
         }
-        const vector away(world.discs[1].centre - world.discs[0].centre);
+        const vector away(world.solids[1].centre - world.solids[0].centre);
         after =
-            (world.discs[1].velocity - world.discs[0].velocity)
+            (world.solids[1].velocity - world.solids[0].velocity)
           & (away/mag(away));
     }
 };
 
 
-rigidDiscs headOn(const scalar offset)
+rigidBodies headOn(const scalar offset)
 {
-    rigidDiscs world;
+    rigidBodies world;
     world.add(circleNodes(1, 48), {-1.6, offset/2, 0}, {0.5, 0, 0}, 0.3, 2);
     world.add(circleNodes(1, 48), {1.6, -offset/2, 0}, {-0.5, 0, 0});
     return world;
@@ -73,7 +73,7 @@ TEST(ContactRigid, keepsMomentumAddsNoEnergyParts)
         {
             for (const char* stiffness : {"0.3", "1", "100"})
             {
-                rigidDiscs world(headOn(offset));
+                rigidBodies world(headOn(offset));
                 contact law
                 (
                     contactOf("law { stiffness " + word(stiffness) + "; }")
@@ -100,8 +100,8 @@ TEST(ContactRigid, restitution)
         scalar lastError = GREAT;
         for (const scalar courant : {0.04, 0.01, 0.0025})
         {
-            rigidDiscs world(headOn(0));
-            world.discs[0].spin = 0;
+            rigidBodies world(headOn(0));
+            world.solids[0].spin = Zero;
             contact law
             (
                 contactOf("law { restitution " + std::to_string(e) + "; }")
@@ -119,7 +119,7 @@ TEST(ContactRigid, restitution)
 
 TEST(ContactRigid, wallAndFixedDiscSendBack)
 {
-    rigidDiscs world;
+    rigidBodies world;
     world.add(circleNodes(1, 48), {0, 0, 0}, {0.5, 0, 0});
     world.add(circleNodes(1, 48), {-3, 0, 0}, Zero, 0, 1, false);
     world.walls.append(contactWall({2, 0, 0}, {-1, 0, 0}));
@@ -127,13 +127,13 @@ TEST(ContactRigid, wallAndFixedDiscSendBack)
     label nTurns = 0;
     for (label i = 0; i < 6000; ++i)
     {
-        const scalar v = world.discs[0].velocity.x();
+        const scalar v = world.solids[0].velocity.x();
         world.advance(law, 0.01);
-        nTurns += v*world.discs[0].velocity.x() < 0;
+        nTurns += v*world.solids[0].velocity.x() < 0;
         ASSERT_GT(world.statistics.smallestGap, 0.1*h);
     }
     EXPECT_GE(nTurns, 8);
-    EXPECT_EQ(world.discs[1].centre.x(), -3);
+    EXPECT_EQ(world.solids[1].centre.x(), -3);
     EXPECT_GT(world.kineticEnergy(), 0.02);
 }
 
@@ -141,7 +141,7 @@ TEST(ContactRigid, wallAndFixedDiscSendBack)
 TEST(ContactRigid, obstaclesAndWallsDoNotTouchEachOther)
 {
     // An obstacle reaches through the wall and into another one
-    rigidDiscs world;
+    rigidBodies world;
     world.add(circleNodes(1, 48), {0, 0, 0}, Zero, 0, 1, false);
     world.add(circleNodes(1, 48), {0, 1.9, 0}, Zero, 0, 1, false);
     world.add(circleNodes(1, 48), {-2.1, 0, 0}, {0.5, 0, 0});
@@ -156,16 +156,16 @@ TEST(ContactRigid, obstaclesAndWallsDoNotTouchEachOther)
         ASSERT_GT(gap, 0.1*h);
     }
     EXPECT_LT(gap, h);
-    EXPECT_LT(world.discs[2].velocity.x(), -0.3);
+    EXPECT_LT(world.solids[2].velocity.x(), -0.3);
 }
 
 
 TEST(ContactRigid, overlapAtTheStartIsPushedApartWithoutAJump)
 {
-    rigidDiscs world(headOn(0));
-    world.discs[0].centre = {-0.97, 0, 0};
-    world.discs[1].centre = {0.97, 0, 0};
-    for (rigidDiscs::disc& d : world.discs)
+    rigidBodies world(headOn(0));
+    world.solids[0].centre = {-0.97, 0, 0};
+    world.solids[1].centre = {0.97, 0, 0};
+    for (rigidBodies::solid& d : world.solids)
     {
         d.velocity = Zero;
     }
@@ -187,10 +187,10 @@ TEST(ContactRigid, adhesionHolds)
     // Slow discs stay together at the equilibrium gap, and leave when faster
     for (const scalar speed : {0.05, 2.0})
     {
-        rigidDiscs world(headOn(0));
-        world.discs[0].spin = 0;
-        world.discs[0].velocity = vector(speed/2, 0, 0);
-        world.discs[1].velocity = vector(-speed/2, 0, 0);
+        rigidBodies world(headOn(0));
+        world.solids[0].spin = Zero;
+        world.solids[0].velocity = vector(speed/2, 0, 0);
+        world.solids[1].velocity = vector(-speed/2, 0, 0);
         contact law
         (
             contactOf("law { type Morse; adhesionEnergy 0.5; stiffness 20; }")
@@ -214,15 +214,23 @@ TEST(ContactRigid, adhesionHolds)
 
 TEST(ContactRigid, limitStopsTheApproachAtTheMinimumGap)
 {
-    rigidDiscs world(headOn(0));
-    world.discs[0].spin = 0;
-    world.discs[0].centre = {-1.05, 0, 0};
-    world.discs[1].centre = {1.05, 0, 0};
+    rigidBodies world(headOn(0));
+    world.solids[0].spin = Zero;
+    world.solids[0].centre = {-1.05, 0, 0};
+    world.solids[1].centre = {1.05, 0, 0};
     contact law(contactOf("minimumGap 0.25;"));
     world.update();
     const scalar dt = 0.2;
     const label n =
-        law.limit(world.surfaces, world.bodies, world.walls, dt, world.force);
+        law.limit
+        (
+            world.surfaces,
+            world.surfaces.velocities(),
+            world.bodies,
+            world.walls,
+            dt,
+            world.force
+        );
     ASSERT_GT(n, 0);
     scalar onFirst = 0;
     for (label i = 0; i < 48; ++i)

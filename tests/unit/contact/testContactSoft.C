@@ -124,7 +124,7 @@ void expectGroupResponse(softDiscs& c)
         force(f[0] - nB, 2 + d) = -0.02*0.3*pair.normal[d];
         force(f[1] - nB, 2 + d) = -0.02*0.7*pair.normal[d];
     }
-    c.group.respondBoundary(force, v);
+    c.group.response().respondBoundary(force, v);
 
     scalar expected = 0;
     for (direction d = 0; d < 2; ++d)

@@ -27,7 +27,7 @@ contact film(const std::string& entries)
 
 //- Two equal discs of radius 1 with a gap, each at this speed towards the
 //  other; or ellipses with these semi-axes across
-rigidDiscs approaching
+rigidBodies approaching
 (
     const scalar gap,
     const scalar speed,
@@ -41,7 +41,7 @@ rigidDiscs approaching
     {
         x.y() *= across;
     }
-    rigidDiscs world;
+    rigidBodies world;
     world.add(nodes, {-1 - gap/2, 0, 0}, {speed, 0, 0}, 0, mass);
     world.add(nodes, {1 + gap/2, 0, 0}, {-speed, 0, 0}, 0, mass);
     return world;
@@ -62,9 +62,9 @@ scalar filmIntegral(const scalar gap, const scalar cutOff, const scalar R)
 
 
 //- Distance of the two discs
-scalar gapOf(const rigidDiscs& world)
+scalar gapOf(const rigidBodies& world)
 {
-    return mag(world.discs[1].centre - world.discs[0].centre) - 2;
+    return mag(world.solids[1].centre - world.solids[0].centre) - 2;
 }
 
 } // End anonymous namespace
@@ -74,7 +74,7 @@ TEST(Lubrication, isThatOfReynoldsEquation)
 {
     for (const scalar gap : {0.004, 0.01, 0.02})
     {
-        rigidDiscs world(approaching(gap, 0.1, 1e8, 720));
+        rigidBodies world(approaching(gap, 0.1, 1e8, 720));
         contact law(film("cutOff 0.25;"));
         world.advance(law, 1e-5);
         const scalar expected =
@@ -91,7 +91,7 @@ TEST(Lubrication, takesTheCurvatureOfThePlace)
     {
         // The tips of the ellipses have the radius across^2
         const scalar R = 0.5*sqr(across);
-        rigidDiscs world(approaching(gap, 0.1, 1e8, 1440, across));
+        rigidBodies world(approaching(gap, 0.1, 1e8, 1440, across));
         contact law(film("cutOff 0.25;"));
         world.advance(law, 1e-5);
         const scalar expected = 6*viscosity*R*0.2*filmIntegral(gap, 0.05, R);
@@ -105,7 +105,7 @@ TEST(Lubrication, filmsOfFlatPlacesAreAsLongAsTheirBodies)
     // The circle with the ellipse's perimeter
     const scalar gap = 0.01, across = 2, perimeter = 9.68845;
     const scalar R = 0.25*perimeter/constant::mathematical::pi;
-    rigidDiscs world(approaching(gap, 0.1, 1e8, 1440, across));
+    rigidBodies world(approaching(gap, 0.1, 1e8, 1440, across));
     contact law(film("cutOff 0.25;"));
     world.advance(law, 1e-5);
 
@@ -119,7 +119,7 @@ TEST(Lubrication, filmsOfFlatPlacesAreAsLongAsTheirBodies)
 TEST(Lubrication, tendsToTheFormulaOfTheCylinder)
 {
     const scalar gap = 0.004, speed = 0.2;
-    rigidDiscs world(approaching(gap, speed/2, 1e8, 720));
+    rigidBodies world(approaching(gap, speed/2, 1e8, 720));
     contact law(film("cutOff 1;"));
     world.advance(law, 1e-5);
     const scalar expected =
@@ -134,7 +134,7 @@ TEST(Lubrication, pullsByNoMoreThanTheBodiesBear)
     const scalar gap = 0.01, modulus = 50;
     const auto force = [&](const scalar speed, const std::string& pull)
     {
-        rigidDiscs world(approaching(gap, speed, 1e8, 720));
+        rigidBodies world(approaching(gap, speed, 1e8, 720));
         contact law(film("cutOff 0.25; pull " + pull + ";"));
         world.advance(law, 1e-5);
         return std::make_pair(forceOn(world, 0).x(), world);
@@ -166,8 +166,8 @@ TEST(Lubrication, takesEnergyAndKeepsGapsOpenAtAnyTimeStep)
     {
         for (const scalar speed : {0.4, -0.4})
         {
-            rigidDiscs world(approaching(0.1, speed, 0.2));
-            world.discs[1].spin = 0.5;
+            rigidBodies world(approaching(0.1, speed, 0.2));
+            world.solids[1].spin = vector(0, 0, 0.5);
             contact law(film("roughness 1e-3;"));
             scalar energy = world.kineticEnergy();
             const vector p(world.momentum());
@@ -201,7 +201,7 @@ TEST(Lubrication, stopsWhereTheImpulseSaysWhateverTheTimeStep)
     }
     for (const scalar dt : {0.02, 0.15})
     {
-        rigidDiscs world(approaching(0.1, speed, mass));
+        rigidBodies world(approaching(0.1, speed, mass));
         contact law(film("roughness 1e-3;"));
         for (label i = 0; i*dt < 6; ++i)
         {
@@ -214,7 +214,7 @@ TEST(Lubrication, stopsWhereTheImpulseSaysWhateverTheTimeStep)
 
 TEST(Lubrication, wallIsFlat)
 {
-    rigidDiscs world;
+    rigidBodies world;
     world.add(circleNodes(1, 720), {0, 1.01, 0}, {0, -0.1, 0}, 0, 1e8);
     world.walls.append(contactWall(Zero, vector(0, 1, 0)));
     contact law(film("cutOff 0.5;"));

@@ -7,7 +7,7 @@ TEST(ContactLaw, thesisPushesApartAndVanishesAtItsLength)
     vector last(vector::max);
     for (const scalar gap : {0.05, 0.15, 0.25})
     {
-        rigidDiscs world(twoDiscs(60, 60, gap));
+        rigidBodies world(twoDiscs(60, 60, gap));
         contact law
         (
             dictOf("law { type thesis; cancel no; restLength 0.9; }"),
@@ -19,7 +19,7 @@ TEST(ContactLaw, thesisPushesApartAndVanishesAtItsLength)
         EXPECT_LT(mag(f), mag(last));
         last = f;
     }
-    rigidDiscs world(twoDiscs(60, 60, 0.28));
+    rigidBodies world(twoDiscs(60, 60, 0.28));
     contact law
     (
         dictOf("law { type thesis; cancel no; restLength 0.9; }"), 2, 0.1, 50
@@ -31,7 +31,7 @@ TEST(ContactLaw, thesisPushesApartAndVanishesAtItsLength)
 
 TEST(ContactLaw, thesisCancelStopsCollidingNodes)
 {
-    rigidDiscs world(twoDiscs(60, 60, 0.1));
+    rigidBodies world(twoDiscs(60, 60, 0.1));
     contact law
     (
         dictOf("law { type thesis; stiffness 1e-12; }"), 2, 0.1, 50
@@ -42,7 +42,7 @@ TEST(ContactLaw, thesisCancelStopsCollidingNodes)
     world.bodies.internalForces() = vector(1, 2, 0);
     law.calculate
     (
-        world.surfaces, world.bodies, world.walls,
+        world.surfaces, world.surfaces.velocities(), world.bodies, world.walls,
         UList<medialAxisPoint>(), dt, world.force
     );
     label nStopped = 0;

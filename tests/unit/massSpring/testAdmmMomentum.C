@@ -115,7 +115,7 @@ TEST(admmMomentum, stiffBodyTurnsForEver)
     {
         group->predict(step*dt, dt, force, v);
         group->prepareResponse(dt);
-        group->constrainVolume(dt, v);
+        group->constrain(dt, v);
         group->move(dt, v);
     }
 

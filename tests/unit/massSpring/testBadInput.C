@@ -171,7 +171,10 @@ TEST(badMotion, isRefused)
         }
     )
     {
-        EXPECT_THROW(bodyGroup(*shape, dictionaryOf(motion)), Foam::IOerror)
+        EXPECT_THROW
+        (
+            bodyGroup::New(*shape, dictionaryOf(motion)), Foam::IOerror
+        )
             << motion;
     }
 }

@@ -188,7 +188,7 @@ TEST(blockMatrix, followsTheTrianglesOfTheFilling)
 {
     auto shape = membraneOf("0.1 0.06", typical);
     auto group = cellOf(*shape);
-    List<List<bodyElement>> triangles(1, group->triangles(0));
+    List<List<bodyElement>> triangles(1, group->elements(0));
 
     membraneMatrix kept(*shape);
     kept.prepare(1e-3, group->positions(), triangles);
@@ -207,7 +207,7 @@ TEST(innerFlow, namesAMembraneThatCrossesItself)
 {
     auto shape = membraneOf("0.1 0.06", typical);
     auto group = cellOf(*shape);
-    List<bodyElement> triangles(group->triangles(0));
+    List<bodyElement> triangles(group->elements(0));
 
     // Two opposite nodes of the outline change places
     Eigen::MatrixXd x = group->positions();

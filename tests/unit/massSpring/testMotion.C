@@ -21,11 +21,11 @@ Eigen::MatrixXd moved
     const label n
 )
 {
-    bodyGroup group(shape, dictionaryOf(motion));
-    EXPECT_FALSE(group.free());
-    group.append(point(1, 2, 0), tensor::I, Zero, Zero, 0);
-    run(group, Eigen::MatrixXd::Constant(shape.nNodes(), 2, 1e9), dt, n);
-    return group.positions();
+    auto group = bodyGroup::New(shape, dictionaryOf(motion));
+    EXPECT_FALSE(group->movesFreely());
+    group->append(point(1, 2, 0), tensor::I, Zero, Zero, 0);
+    run(*group, Eigen::MatrixXd::Constant(shape.nNodes(), 2, 1e9), dt, n);
+    return group->positions();
 }
 
 } // End anonymous namespace
@@ -86,20 +86,23 @@ TEST(motion, rotatingBodyKeepsItsShape)
 TEST(motion, prescribedBodyDoesNotRespond)
 {
     auto shape = disc("density 1000; E 1e4;", "", 0.04);
-    bodyGroup group(*shape, dictionaryOf("type fixed;"));
-    group.append(Zero, tensor::I, Zero, Zero, 0);
-    group.prepareResponse(1e-2);
+    auto group = bodyGroup::New(*shape, dictionaryOf("type fixed;"));
+    group->append(Zero, tensor::I, Zero, Zero, 0);
+    group->prepareResponse(1e-2);
 
     Eigen::MatrixXd force = Eigen::MatrixXd::Ones(shape->nNodes(), 2), v;
-    group.respond(force, v);
+    group->response().respond(force, v);
     EXPECT_EQ(v.rows(), shape->nNodes());
     EXPECT_EQ(v.cwiseAbs().maxCoeff(), 0);
-    group.respondBoundary(force.topRows(shape->nBoundaryNodes()), v);
+    group->response().respondBoundary
+    (
+        force.topRows(shape->nBoundaryNodes()), v
+    );
     EXPECT_EQ(v.rows(), shape->nBoundaryNodes());
     EXPECT_EQ(v.cwiseAbs().maxCoeff(), 0);
 
     v = force;
-    group.constrainVolume(1e-2, v);
+    group->constrain(1e-2, v);
     EXPECT_EQ((v - force).cwiseAbs().maxCoeff(), 0);
 }
 
@@ -107,8 +110,11 @@ TEST(motion, prescribedBodyDoesNotRespond)
 TEST(motion, defaultIsFree)
 {
     auto shape = disc("density 1000; E 1e4;", "", 0.04);
-    EXPECT_TRUE(bodyGroup(*shape, dictionary()).free());
-    EXPECT_TRUE(bodyGroup(*shape, dictionaryOf("type free;")).free());
+    EXPECT_TRUE(bodyGroup::New(*shape, dictionary())->movesFreely());
+    EXPECT_TRUE
+    (
+        bodyGroup::New(*shape, dictionaryOf("type free;"))->movesFreely()
+    );
 }
 
 

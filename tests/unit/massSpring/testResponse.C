@@ -31,7 +31,7 @@ std::unique_ptr<bodyGroup> deformed(const shapeTemplate& shape)
 Eigen::MatrixXd response(const bodyGroup& group, const Eigen::MatrixXd& force)
 {
     Eigen::MatrixXd v;
-    group.respond(force, v);
+    group.response().respond(force, v);
     return v;
 }
 
@@ -163,7 +163,7 @@ TEST(response, onTheBoundaryIsTheSame)
     const Eigen::MatrixXd v = response(*group, force);
 
     Eigen::MatrixXd boundary;
-    group->respondBoundary(force.topRows(nB), boundary);
+    group->response().respondBoundary(force.topRows(nB), boundary);
     EXPECT_LT
     (
         (boundary - v.topRows(nB)).cwiseAbs().maxCoeff(),
@@ -209,7 +209,7 @@ TEST(response, volumeIsRestoredWithoutChangeOfMomentum)
     const vector momentum = group->momentum(0);
     const vector angular = group->angularMomentum(0);
 
-    group->constrainVolume(dt, v);
+    group->constrain(dt, v);
     EXPECT_GT((group->velocities() - v).cwiseAbs().maxCoeff(), 1e-3);
 
     group->velocities() = v;

@@ -132,14 +132,14 @@ TEST(state, membraneRoundTripKeepsEveryBit)
         x(i, 3) = s*dx + c*dy;
     }
     run(*group, unevenForce(*group, 0.1), 1e-3, 2);
-    ASSERT_FALSE(group->triangles(1) == shape->elements());
+    ASSERT_FALSE(group->elements(1) == shape->elements());
 
     for (const format fmt : {IOstream::ASCII, IOstream::BINARY})
     {
         auto restored = groupOf(*shape);
         IStringStream is(written(*group, fmt), fmt);
         restored->read(is);
-        EXPECT_TRUE(restored->triangles(1) == group->triangles(1));
+        EXPECT_TRUE(restored->elements(1) == group->elements(1));
 
         auto original = groupOf(*shape);
         IStringStream again(written(*group, fmt), fmt);
@@ -156,7 +156,7 @@ TEST(state, membraneRoundTripKeepsEveryBit)
     }
 
     group->remove(0);
-    EXPECT_FALSE(group->triangles(0) == shape->elements());
+    EXPECT_FALSE(group->elements(0) == shape->elements());
 }
 
 

@@ -5,6 +5,7 @@ Description
 
 \*---------------------------------------------------------------------------*/
 
+#include "laneArray.H"
 #include "volumeTerm.H"
 
 #include <Eigen/Dense>
@@ -18,10 +19,10 @@ namespace
 using namespace Foam;
 using namespace Foam::fsi;
 
-typedef Eigen::Array<double, 1, 1> array;
+typedef laneArray<1> array;
 typedef Eigen::Matrix2d matrix;
 
-//- Apply a function of four entries to a matrix
+//- Apply a function of the entries, row by row, to a matrix
 template<class Function>
 matrix applied(const matrix& F, Function&& f)
 {
@@ -30,7 +31,7 @@ matrix applied(const matrix& F, Function&& f)
     {
         entries[i] = F(i/2, i % 2);
     }
-    f(entries[0], entries[1], entries[2], entries[3]);
+    f(entries);
     matrix result;
     for (int i = 0; i < 4; ++i)
     {
@@ -45,10 +46,7 @@ matrix gradient(const matrix& F)
     return applied
     (
         F,
-        [](array& a, array& b, array& c, array& d)
-        {
-            volumeTerm::toGradient(a, b, c, d);
-        }
+        [](array* entries) { volumeTerm::toGradient<2>(entries, 0); }
     );
 }
 
@@ -58,9 +56,10 @@ matrix localStep(const matrix& y, const scalar ratio)
     return applied
     (
         y,
-        [ratio](array& a, array& b, array& c, array& d)
+        [ratio](array* u)
         {
-            volumeTerm::toLocalStep(a, b, c, d, ratio);
+            const array none[4] = {0, 0, 0, 0};
+            volumeTerm::toLocalStep<2>(none, u, ratio, 0);
         }
     );
 }

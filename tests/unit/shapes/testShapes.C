@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "outlineTools.H"
-#include "shapeOf.H"
-#include "IFstream.H"
+#include "badShape.H"
 #include "mathematicalConstants.H"
 #include "OSspecific.H"
-#include "OStringStream.H"
 #include "polygonPredicates.H"
 
 #include <cstdlib>
-#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace Foam;
@@ -26,47 +23,6 @@ const string ellipse("type ellipse; semiAxes (0.2 0.1);");
 const string star("type star; radius 0.1; amplitude 0.3; points 5;");
 const string biconcave("type biconcave; radius 3.91;");
 
-
-//- Name of a file with the text
-fileName fileOf(const word& file, const string& text)
-{
-    std::ofstream(file) << text;
-    return file;
-}
-
-
-//- The message of the error that a shape in a file gives, or an empty text
-string errorOf(const string& text, const direction nDims = 2)
-{
-    const fileName file(fileOf("badShapeDict", text));
-    string message;
-    try
-    {
-        IFstream is(file);
-        shape::New(dictionary(is), nDims);
-    }
-    catch (const Foam::IOerror& error)
-    {
-        OStringStream os;
-        os << error;
-        message = os.str();
-    }
-    rm(file);
-    return message;
-}
-
-
-//- The error names the file, the key and the words
-void expectError(const string& text, const wordList& words)
-{
-    const string error(errorOf(text));
-    EXPECT_NE(error.find("badShapeDict"), string::npos) << text;
-    for (const word& w : words)
-    {
-        EXPECT_NE(error.find(w), string::npos) << w << " in: " << error;
-    }
-}
-
 } // End anonymous namespace
 
 
@@ -76,7 +32,7 @@ TEST(shape, outlineIsUniformClosedAndCounterClockwise)
 {
     for (const string& text : {circle, ellipse, star, biconcave})
     {
-        const autoPtr<shape> body(shapeOf(text));
+        const autoPtr<planarShape> body(shapeOf(text));
         const pointField fine(body->curve());
         const scalar h = outlineTools::perimeter(fine)/100;
         const pointField points(body->outline(h));
@@ -149,6 +105,52 @@ TEST(shape, minimumThicknessIsThatOfTheNeck)
 }
 
 
+TEST(shape, neckBetweenTwoNotchesIsThin)
+{
+    const auto thickness = [](const string& points)
+    {
+        const fileName csv(fileOf("neck.csv", points));
+        const scalar result =
+            shapeOf("type polygon; file \"neck.csv\";")->minimumThickness();
+        rm(csv);
+        return result;
+    };
+
+    // A bow tie; its neck as thin as one likes
+    for (const string half : {"1e-3", "1e-12"})
+    {
+        const string tie
+        (
+            "-0.2,-0.1\n0,-" + half + "\n0.2,-0.1\n0.2,0.1\n0," + half
+          + "\n-0.2,0.1\n"
+        );
+        const scalar width = 2*readScalar(half);
+        EXPECT_NEAR(thickness(tie), width, 1e-3*width);
+    }
+
+    // Notches that are not across each other
+    EXPECT_NEAR
+    (
+        thickness("-2,-1\n0,0\n2,-1\n2,1\n0.3,0.4\n-2,1\n"),
+        0.5,
+        1e-9
+    );
+
+    // Below a slit, in the arms of an L, but not in a corner
+    EXPECT_NEAR
+    (
+        thickness("0,0\n1,0\n1,1\n0.51,1\n0.5,0.2\n0.49,1\n0,1\n"),
+        0.2,
+        1e-9
+    );
+    EXPECT_NEAR
+    (
+        thickness("0,0\n1,0\n1,0.2\n0.3,0.2\n0.3,1\n0,1\n"), 0.2, 1e-9
+    );
+    EXPECT_GT(thickness("0,0\n1,0\n0,0.4\n"), 0.2);
+}
+
+
 TEST(shape, polygonKeepsItsCornersAndIsTurnedRound)
 {
     // Clockwise, closed twice, a point repeated, with comments and a heading
@@ -161,7 +163,7 @@ TEST(shape, polygonKeepsItsCornersAndIsTurnedRound)
     );
     for (const fileName& file : {csv, list})
     {
-        const autoPtr<shape> body
+        const autoPtr<planarShape> body
         (
             shapeOf("type polygon; file \"" + file + "\"; scale 2;")
         );
@@ -207,7 +209,7 @@ TEST(badShape, isRefusedWithFileAndKey)
     expectError("type star; radius 1; amplitude 1;", {"amplitude"});
     expectError("type star; radius 1; points 1;", {"points"});
     expectError("type biconcave;", {"radius"});
-    EXPECT_NE(errorOf(circle, 3), "");
+    expectError(circle, {"type", "circle", "sphere", "surface"}, 3);
     EXPECT_EQ(errorOf(circle, 2), "");
 }
 
@@ -238,7 +240,7 @@ TEST(badShape, polygonThatCannotBeUsedIsRefused)
     }
 
     const fileName text(fileOf("text.list", "no points here"));
-    EXPECT_NE(errorOf(polygon + "\"text.list\";"), "");
+    EXPECT_NE(errorOf(polygon + "\"text.list\";", 2), "");
     rm(text);
 }
 

@@ -11,21 +11,6 @@
 using namespace Foam;
 using namespace Foam::fsi;
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Grading given by its entries
-meshGrading gradingOf(const string& text)
-{
-    IStringStream is(text);
-    return meshGrading(dictionary(is));
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(triangulation, fillsTheOutlineWithGoodTriangles)
@@ -41,9 +26,9 @@ TEST(triangulation, fillsTheOutlineWithGoodTriangles)
         }
     )
     {
-        const autoPtr<shape> body(shapeOf(text));
+        const autoPtr<planarShape> body(shapeOf(text));
         const scalar h = body->minimumThickness()/6;
-        const shapeMesh mesh(body->mesh(h, gradingOf("")));
+        const shapeMesh mesh(body->mesh(h, gradingOf(""), true));
         const pointField outline(body->outline(h));
 
         // The boundary nodes are the given ones, and no side is divided
@@ -79,7 +64,7 @@ TEST(triangulation, straightSlantedSidesHaveNoFlatTriangles)
     for (const scalar h : {0.06, 0.03, 0.02})
     {
         const string text("type polygon; file \"" + csv + "\";");
-        const shapeMesh mesh(shapeOf(text)->mesh(h, gradingOf("")));
+        const shapeMesh mesh(shapeOf(text)->mesh(h, gradingOf(""), true));
         const scalarField volumes(mesh.elementVolumes());
         EXPECT_GT(min(volumes), 0.1*average(volumes)) << h;
         EXPECT_NEAR(sum(volumes), 0.5*(1.4 + 0.3)*0.37, 1e-12);
@@ -95,9 +80,9 @@ TEST(triangulation, deepNodesAreSparseAndTrianglesGood)
     const meshGrading even(gradingOf("growthRate 0;"));
     for (const string& text : {large, notched})
     {
-        const autoPtr<shape> body(shapeOf(text));
-        const shapeMesh all(body->mesh(1, even));
-        const shapeMesh mesh(body->mesh(1, gradingOf("")));
+        const autoPtr<planarShape> body(shapeOf(text));
+        const shapeMesh all(body->mesh(1, even, true));
+        const shapeMesh mesh(body->mesh(1, gradingOf(""), true));
         const scalarField volumes(mesh.elementVolumes());
         const scalar area = outlineTools::area(body->outline(1));
         EXPECT_NEAR(sum(volumes), area, 1e-12*area);
@@ -126,11 +111,11 @@ TEST(triangulation, deepNodesAreSparseAndTrianglesGood)
     }
 
     // Nothing changes in bodies that are nowhere deeper than evenDepth
-    const autoPtr<shape> small(shapeOf("type circle; radius 6;"));
+    const autoPtr<planarShape> small(shapeOf("type circle; radius 6;"));
     EXPECT_EQ
     (
-        small->mesh(1, even).points,
-        small->mesh(1, gradingOf("")).points
+        small->mesh(1, even, true).points,
+        small->mesh(1, gradingOf(""), true).points
     );
 }
 

@@ -3,106 +3,50 @@
 #include "packing.H"
 #include "StringStream.H"
 
-#include <algorithm>
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Size of grid cells: about that of the smallest shape [m]
+static scalar gridSize(const UList<closedSurface>& shapes, const scalar h)
+{
+    scalar size = GREAT;
+    for (const closedSurface& s : shapes)
+    {
+        size = min(size, max(s.bounds().span().x(), 3*h));
+    }
+    return size;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<class Function>
-void Foam::fsi::packing::forCells
-(
-    const boundBox& box,
-    const Function& function
-) const
-{
-    // What is outside the domain is kept in the cells along its sides
-    const auto cell = [&](const scalar distance, const label n)
-    {
-        return label(min(max(distance/cellSize_, 0.0), n - 0.5));
-    };
-    const label iEnd = cell(box.max().x() - domain_.min().x(), nx_);
-    const label jEnd = cell(box.max().y() - domain_.min().y(), ny_);
-
-    for (label j = cell(box.min().y() - domain_.min().y(), ny_); j <= jEnd; ++j)
-    {
-        label i = cell(box.min().x() - domain_.min().x(), nx_);
-        for (; i <= iEnd; ++i)
-        {
-            if (function(i + nx_*j))
-            {
-                return;
-            }
-        }
-    }
-}
-
-
 Foam::label Foam::fsi::packing::findHere
 (
-    const outline& candidate,
+    const closedSurface& candidate,
     const scalar gap,
     const label except
 ) const
 {
     const vector margin(gap, gap, gap);
-    const boundBox box
+    return grid_.find
     (
-        candidate.bounds().min() - margin,
-        candidate.bounds().max() + margin
-    );
-
-    ++search_;
-    label found = -1;
-    forCells
-    (
-        box,
-        [&](const label celli)
+        boundBox
+        (
+            candidate.bounds().min() - margin,
+            candidate.bounds().max() + margin
+        ),
+        [&](const label objecti)
         {
-            for (const label objecti : cells_[celli])
-            {
-                if (objecti == except || lastSearch_[objecti] == search_)
-                {
-                    continue;
-                }
-                lastSearch_[objecti] = search_;
-                if (candidate.closerThan(outlines_[objecti], gap))
-                {
-                    found = objecti;
-                    return true;
-                }
-            }
-            return false;
-        }
-    );
-    return found;
-}
-
-
-void Foam::fsi::packing::enter(const label objecti)
-{
-    occupied_.add(outlines_[objecti].bounds());
-    forCells
-    (
-        outlines_[objecti].bounds(),
-        [&](const label celli)
-        {
-            cells_[celli].append(objecti);
-            return false;
-        }
-    );
-}
-
-
-void Foam::fsi::packing::takeOut(const label objecti)
-{
-    forCells
-    (
-        outlines_[objecti].bounds(),
-        [&](const label celli)
-        {
-            DynamicList<label>& cell = cells_[celli];
-            std::swap(cell[cell.find(objecti)], cell.last());
-            cell.remove();
-            return false;
+            return
+                objecti != except
+             && candidate.closerThan(surfaces_[objecti], gap);
         }
     );
 }
@@ -115,7 +59,7 @@ Foam::fsi::packing::packing
     const boundBox& domain,
     const scalar spacing,
     const wordList& shapeNames,
-    const List<outline>& shapes,
+    const List<closedSurface>& shapes,
     const vector& period,
     const boolList& attached
 )
@@ -127,21 +71,9 @@ Foam::fsi::packing::packing
     period_(period),
     attached_(attached),
     shifts_(1, Zero),
-    cellSize_(GREAT),
-    search_(0)
+    grid_(domain, gridSize(shapes, spacing), nDims())
 {
-    // Cells about as large as the smallest shape, but not too many of them
-    for (const outline& s : shapes_)
-    {
-        cellSize_ = min(cellSize_, max(s.bounds().span().x(), 3*spacing_));
-    }
-    const scalar lx = domain_.span().x(), ly = domain_.span().y();
-    cellSize_ = min(max(cellSize_, sqrt(lx*ly/1e6)), max(lx, ly));
-    nx_ = label(lx/cellSize_) + 1;
-    ny_ = label(ly/cellSize_) + 1;
-    cells_.resize(nx_*ny_);
-
-    for (direction d = 0; d < 2; ++d)
+    for (direction d = 0; d < nDims(); ++d)
     {
         const label n = period_[d] > 0 ? shifts_.size() : 0;
         for (label i = 0; i < n; ++i)
@@ -170,7 +102,7 @@ Foam::string Foam::fsi::packing::description(const label objecti) const
 }
 
 
-Foam::fsi::outline Foam::fsi::packing::placedOutline
+Foam::fsi::closedSurface Foam::fsi::packing::placed
 (
     const placedObject& object
 ) const
@@ -181,7 +113,7 @@ Foam::fsi::outline Foam::fsi::packing::placedOutline
 
 Foam::label Foam::fsi::packing::findConflict
 (
-    const outline& candidate,
+    const closedSurface& candidate,
     const scalar gap,
     const label except
 ) const
@@ -198,7 +130,7 @@ Foam::label Foam::fsi::packing::findConflict
         {
             found = findHere(candidate, gap, except);
         }
-        else if (outline::near(box, occupied_, gap))
+        else if (closedSurface::near(box, occupied_, gap, nDims()))
         {
             found = findHere(candidate.moved(tensor::I, shift), gap, except);
         }
@@ -213,15 +145,15 @@ Foam::label Foam::fsi::packing::findConflict
 
 Foam::scalar Foam::fsi::packing::distance
 (
-    const outline& candidate,
+    const closedSurface& candidate,
     const label objecti
 ) const
 {
     scalar least = GREAT;
     for (const vector& shift : shifts_)
     {
-        const outline image(candidate.moved(tensor::I, shift));
-        least = min(least, image.distance(outlines_[objecti]));
+        const closedSurface image(candidate.moved(tensor::I, shift));
+        least = image.distance(surfaces_[objecti], least);
     }
     return least;
 }
@@ -230,13 +162,13 @@ Foam::scalar Foam::fsi::packing::distance
 bool Foam::fsi::packing::inDomain
 (
     const placedObject& object,
-    const outline& candidate,
+    const closedSurface& candidate,
     const scalar gap
 ) const
 {
     const point& centre = object.centre;
     boundBox box(domain_);
-    for (direction d = 0; d < 2; ++d)
+    for (direction d = 0; d < nDims(); ++d)
     {
         if (period_[d] > 0)
         {
@@ -252,29 +184,16 @@ bool Foam::fsi::packing::inDomain
     {
         return candidate.reaches(box);
     }
-    return inside(candidate, box, gap);
-}
-
-
-bool Foam::fsi::packing::inside
-(
-    const outline& candidate,
-    const boundBox& box,
-    const scalar gap
-)
-{
-    const vector low(candidate.bounds().min() - box.min());
-    const vector high(box.max() - candidate.bounds().max());
-    return min(min(low.x(), low.y()), min(high.x(), high.y())) >= gap;
+    return candidate.inside(box, gap);
 }
 
 
 Foam::label Foam::fsi::packing::insert(const placedObject& object)
 {
     objects_.append(object);
-    outlines_.append(placedOutline(object));
-    lastSearch_.append(0);
-    enter(size() - 1);
+    surfaces_.append(placed(object));
+    occupied_.add(surfaces_.last().bounds());
+    grid_.enter(size() - 1, surfaces_.last().bounds());
     return size() - 1;
 }
 
@@ -284,14 +203,15 @@ void Foam::fsi::packing::move
     const label objecti,
     const point& centre,
     const tensor& rotation,
-    const outline& moved
+    const closedSurface& moved
 )
 {
-    takeOut(objecti);
+    grid_.takeOut(objecti, surfaces_[objecti].bounds());
     objects_[objecti].centre = centre;
     objects_[objecti].rotation = rotation;
-    outlines_[objecti] = moved;
-    enter(objecti);
+    surfaces_[objecti] = moved;
+    occupied_.add(moved.bounds());
+    grid_.enter(objecti, moved.bounds());
 }
 
 

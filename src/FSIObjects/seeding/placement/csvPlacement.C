@@ -3,10 +3,9 @@
 #include "csvPlacement.H"
 #include "caseFile.H"
 #include "IFstream.H"
+#include "rotations.H"
 #include "stringOps.H"
 #include "addToRunTimeSelectionTable.H"
-
-#include <sstream>
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -65,84 +64,120 @@ void Foam::fsi::csvPlacement::checkColumns
     const label line
 ) const
 {
-    const wordList known
+    wordList known
     ({
         "x", "y", "z", "rotation", "shape",
         "velocityX", "velocityY", "velocityZ", "angularVelocityZ"
     });
-    for (const word& column : columns)
+    if (nDims() == 3)
     {
-        if (!known.found(column))
+        known.append
+        (
+            wordList
+            ({
+                "axisX", "axisY", "axisZ", "angle",
+                "quaternionW", "quaternionX", "quaternionY", "quaternionZ",
+                "angularVelocityX", "angularVelocityY"
+            })
+        );
+    }
+    forAll(columns, i)
+    {
+        if (!known.found(columns[i]))
         {
             OStringStream os;
-            os  << "unknown column " << column.c_str()
+            os  << "unknown column " << columns[i].c_str()
                 << ", valid columns are " << flatOutput(known);
             refuse(line, os.str());
         }
+        if (columns.find(columns[i]) < i)
+        {
+            refuse(line, "column " + columns[i] + " is there twice");
+        }
     }
-    if (!columns.found("x") || !columns.found("y"))
+
+    checkRotations(columns, line);
+    if
+    (
+        !columns.found("x") || !columns.found("y")
+     || (nDims() == 3 && !columns.found("z"))
+    )
     {
-        refuse(line, "there must be columns x and y");
+        refuse
+        (
+            line,
+            string("there must be columns x and y")
+          + (nDims() == 3 ? " and z" : "")
+        );
     }
 }
 
 
-Foam::scalar Foam::fsi::csvPlacement::number
+void Foam::fsi::csvPlacement::checkRotations
 (
-    const string& text,
+    const wordList& columns,
     const label line
 ) const
 {
-    // OpenFOAM's readScalar ends in a floating point exception for nan
-    std::istringstream is(text);
-    scalar value = 0;
-    if (!(is >> value && is.eof()))
+    const wordList sets[3] =
     {
-        refuse(line, "not a number: " + text);
+        {"rotation"},
+        {"axisX", "axisY", "axisZ", "angle"},
+        {"quaternionW", "quaternionX", "quaternionY", "quaternionZ"}
+    };
+    label nRotations = 0;
+    for (const wordList& set : sets)
+    {
+        label nFound = 0;
+        for (const word& column : set)
+        {
+            nFound += columns.found(column);
+        }
+        if (nFound != 0 && nFound != set.size())
+        {
+            OStringStream os;
+            os  << "there must be all or none of the columns "
+                << flatOutput(set);
+            refuse(line, os.str());
+        }
+        nRotations += nFound != 0;
     }
-    return value;
+    if (nRotations > 1)
+    {
+        refuse(line, "there is more than one kind of rotation");
+    }
 }
 
 
 Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
 (
     const packing& space,
-    const wordList& columns,
-    const wordList& values,
-    const label line
+    const csvRow& values
 )
 {
-    if (values.size() != columns.size())
+    const scalar vz = values.value("velocityZ", velocity().z());
+    if (nDims() == 2 && vz != 0)
     {
-        refuse
-        (
-            line,
-            Foam::name(values.size()) + " values for "
-          + Foam::name(columns.size()) + " columns"
-        );
+        values.refuse("velocityZ must be 0 in two dimensions");
     }
-
-    const auto value = [&](const word& column, const scalar otherwise)
-    {
-        const label i = columns.find(column);
-        return i < 0 ? otherwise : number(values[i], line);
-    };
-    const label shapeColumn = columns.find("shape");
-
     return newObject
     (
-        shapeColumn < 0
-      ? readShape(dict(), space)
-      : findShape(values[shapeColumn], space),
-        point(value("x", 0), value("y", 0), value("z", 0)),
-        rotation(value("rotation", 0)),
-        vector
+        values.has("shape")
+      ? findShape(values.text("shape"), space)
+      : readShape(dict(), space),
+        checkedCentre
         (
-            value("velocityX", velocity().x()),
-            value("velocityY", velocity().y()),
-            value("velocityZ", velocity().z())
+            point
+            (
+                values.value("x", 0),
+                values.value("y", 0),
+                values.value("z", 0)
+            ),
+            space
         ),
-        vector(0, 0, value("angularVelocityZ", angularVelocity().z()))
+        values.rotation(),
+        values.triple("velocity", velocity()),
+        values.triple("angularVelocity", angularVelocity())
     );
 }
 
@@ -153,10 +188,10 @@ Foam::fsi::csvPlacement::csvPlacement
 (
     const word& name,
     const dictionary& dict,
-    const packing&
+    const packing& space
 )
 :
-    placement(name, dict, {"file"}, 0, 0),
+    placement(name, dict, space, {"file"}, 0, 0),
     file_(readCaseFile(dict, "file"))
 {}
 
@@ -181,15 +216,26 @@ void Foam::fsi::csvPlacement::place(packing& space)
         {
             continue;
         }
-        const wordList values(splitLine(text));
         if (columns.empty())
         {
-            columns = values;
+            columns = splitLine(text);
             checkColumns(columns, line);
         }
         else
         {
-            objects.append(readObject(space, columns, values, line));
+            objects.append
+            (
+                readObject
+                (
+                    space,
+                    csvRow
+                    (
+                        columns,
+                        splitLine(text),
+                        [=](const string& reason) { refuse(line, reason); }
+                    )
+                )
+            );
         }
     }
     if (objects.empty())

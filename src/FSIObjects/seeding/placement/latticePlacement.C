@@ -2,6 +2,7 @@
 
 #include "latticePlacement.H"
 #include "dictionaryCheck.H"
+#include "rotations.H"
 #include "Switch.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -19,9 +20,9 @@ namespace fsi
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::latticePlacement::readLattice()
+void Foam::fsi::latticePlacement::readLattice(const packing& space)
 {
-    const vector span = region_.span();
+    const vector span = region().span();
     if (dict().found("counts") == dict().found("spacing"))
     {
         FatalIOErrorInFunction(dict())
@@ -40,15 +41,20 @@ void Foam::fsi::latticePlacement::readLattice()
         spacing_ = dict().get<vector>("spacing");
     }
 
-    for (direction d = 0; d < 2; ++d)
+    for (direction d = 0; d < nDims(); ++d)
     {
         if (given ? counts_[d] < 1 : !(spacing_[d] > 0))
         {
             FatalIOErrorInFunction(dict())
                 << "Entry '" << (given ? "counts" : "spacing")
                 << "' in placement " << name() << " must be > 0 in x and y"
-                << exit(FatalIOError);
+                << (nDims() == 3 ? " and z" : "") << exit(FatalIOError);
         }
+    }
+    checkNumber(space, given);
+
+    for (direction d = 0; d < nDims(); ++d)
+    {
         if (given)
         {
             spacing_[d] = span[d]/counts_[d];
@@ -67,6 +73,37 @@ void Foam::fsi::latticePlacement::readLattice()
                 << exit(FatalIOError);
         }
     }
+    if (nDims() == 2)
+    {
+        counts_.z() = 1;
+    }
+}
+
+
+void Foam::fsi::latticePlacement::checkNumber
+(
+    const packing& space,
+    const bool given
+) const
+{
+    // Centres are in the region, objects may reach out of it
+    const scalar reach = space.shape(shape()).bounds().mag() + jitter_;
+    const vector margin(reach, reach, reach);
+    scalar number = 1;
+    for (direction d = 0; d < nDims(); ++d)
+    {
+        number *=
+            given
+          ? scalar(counts_[d])
+          : max(std::floor(region().span()[d]/spacing_[d]), scalar(1));
+    }
+    checkRoom
+    (
+        space,
+        number,
+        boundBox(region().min() - margin, region().max() + margin),
+        given ? "counts" : "spacing"
+    );
 }
 
 
@@ -79,19 +116,18 @@ Foam::fsi::latticePlacement::latticePlacement
     const packing& space
 )
 :
-    placement
+    regionPlacement
     (
         name,
         dict,
+        space,
         {
-            "region", "counts", "spacing", "arrangement", "rotation",
+            "counts", "spacing", "arrangement", "rotation",
             "randomRotation", "jitter"
         },
         0,
         0
     ),
-    shape_(readShape(dict, space)),
-    region_(readRegion(space)),
     spacing_(Zero),
     counts_(1, 1, 1),
     staggered_
@@ -101,11 +137,11 @@ Foam::fsi::latticePlacement::latticePlacement
             dict, "arrangement", "rectangular", {"rectangular", "staggered"}
         ) == "staggered"
     ),
-    rotation_(dict.lookupOrDefault<scalar>("rotation", 0)),
+    rotation_(readRotation(dict, nDims())),
     randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", false)),
     jitter_(readNonNegative(dict, "jitter", 0))
 {
-    readLattice();
+    readLattice(space);
 }
 
 
@@ -113,34 +149,38 @@ Foam::fsi::latticePlacement::latticePlacement
 
 void Foam::fsi::latticePlacement::place(packing& space)
 {
-    const point middle = region_.centre();
+    const point middle = region().centre();
 
-    DynamicList<placedObject> objects(counts_.x()*counts_.y());
-    for (label j = 0; j < counts_.y(); ++j)
+    DynamicList<placedObject> objects(cmptProduct(counts_));
+    labelVector i;
+    for (i.z() = 0; i.z() < counts_.z(); ++i.z())
     {
-        const scalar shift = staggered_ ? (j % 2 ? 0.25 : -0.25) : 0;
-        for (label i = 0; i < counts_.x(); ++i)
+        for (i.y() = 0; i.y() < counts_.y(); ++i.y())
         {
-            point centre
-            (
-                middle.x()
-              + (i + shift - 0.5*(counts_.x() - 1))*spacing_.x(),
-                middle.y() + (j - 0.5*(counts_.y() - 1))*spacing_.y(),
-                middle.z()
-            );
-            if (jitter_ > 0)
+            const bool second = (i.y() + i.z()) % 2;
+            const scalar shift = staggered_ ? (second ? 0.25 : -0.25) : 0;
+            for (i.x() = 0; i.x() < counts_.x(); ++i.x())
             {
-                centre += jitter_*randomInDisc();
-            }
-            objects.append
-            (
-                newObject
+                point centre(middle);
+                for (direction d = 0; d < nDims(); ++d)
+                {
+                    const scalar place = d == 0 ? i[d] + shift : i[d];
+                    centre[d] += (place - 0.5*(counts_[d] - 1))*spacing_[d];
+                }
+                if (jitter_ > 0)
+                {
+                    centre += jitter_*randomInBall();
+                }
+                objects.append
                 (
-                    shape_,
-                    centre,
-                    randomRotation_ ? randomRotation() : rotation(rotation_)
-                )
-            );
+                    newObject
+                    (
+                        shape(),
+                        centre,
+                        randomRotation_ ? randomRotation() : rotation_
+                    )
+                );
+            }
         }
     }
     insertAll(space, objects, dict().found("counts") ? "counts" : "spacing");

@@ -2,6 +2,7 @@
 
 #include "listedPlacement.H"
 #include "dictionaryCheck.H"
+#include "rotations.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
@@ -22,10 +23,10 @@ Foam::fsi::listedPlacement::listedPlacement
 (
     const word& name,
     const dictionary& dict,
-    const packing&
+    const packing& space
 )
 :
-    placement(name, dict, {"objects"}, 0, 0)
+    placement(name, dict, space, {"objects"}, 0, 0)
 {}
 
 
@@ -52,10 +53,10 @@ void Foam::fsi::listedPlacement::place(packing& space)
             newObject
             (
                 readShape(entry.found("shape") ? entry : dict(), space),
-                entry.get<point>("centre"),
-                rotation(entry.lookupOrDefault<scalar>("rotation", 0)),
-                entry.lookupOrDefault("velocity", velocity()),
-                entry.lookupOrDefault("angularVelocity", angularVelocity())
+                checkedCentre(entry.get<point>("centre"), space),
+                readRotation(entry, nDims()),
+                readVelocity(entry, velocity()),
+                readAngularVelocity(entry, angularVelocity())
             )
         );
     }

@@ -2,7 +2,9 @@
 
 #include "packedPlacement.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
+#include "packedLattice.H"
+#include "readBetween.H"
+#include "rotations.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -18,73 +20,34 @@ namespace fsi
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::packedPlacement::rowDistance
-(
-    const outline& object,
-    const scalar pitch,
-    const scalar rectangular
-) const
-{
-    const auto fits = [&](const scalar x, const scalar y)
-    {
-        return !object.closerThan
-        (
-            object.moved(tensor::I, vector(x, y, 0)), minimumGap()
-        );
-    };
-
-    // From above, so that rows do not slip past each other
-    const label nSteps = 500;
-    scalar distance = rectangular;
-    for (label i = nSteps; i > 0; --i)
-    {
-        const scalar y = rectangular*i/nSteps;
-        if (!fits(0.5*pitch, y) || !fits(-0.5*pitch, y) || !fits(0, 2*y))
-        {
-            break;
-        }
-        distance = y;
-    }
-    return distance;
-}
-
-
-Foam::pointField Foam::fsi::packedPlacement::sites
+Foam::pointField Foam::fsi::packedPlacement::bestSites
 (
     const packing& space,
-    const boundBox& container,
-    const outline& object,
-    const bool staggered
+    const boundBox& container
 ) const
 {
-    // A little more than the gap, against round-off
-    const vector size = object.bounds().span();
-    const scalar gap = minimumGap()*(1 + 1e-6) + 1e-9*mag(size);
-    const scalar pitch = size.x() + gap;
-    const scalar rectangular = size.y() + gap;
-    const scalar row =
-        staggered ? rowDistance(object, pitch, rectangular) : rectangular;
+    const closedSurface object = space.shape(shape()).moved(rotation(), Zero);
+    checkFits(object, container);
 
-    // Centre of the first object
-    const point start(container.min() - object.bounds().min());
-    const vector room(container.span() - size);
-
-    DynamicList<point> found;
-    for (label j = 0; j*row <= room.y(); ++j)
+    pointField best;
+    for (const auto type : packedLattice::arrangements(nDims()))
     {
-        const scalar shift = staggered && j % 2 ? 0.5 : 0;
-        for (label i = 0; (i + shift)*pitch <= room.x(); ++i)
+        const packedLattice lattice(object, minimumGap(), type);
+        DynamicList<point> free;
+        for (const point& site : lattice.sites(container))
         {
-            const point site =
-                start + vector((i + shift)*pitch, j*row, -start.z());
-            const outline candidate = object.moved(tensor::I, site);
+            const closedSurface candidate = object.moved(tensor::I, site);
             if (space.findConflict(candidate, minimumGap()) < 0)
             {
-                found.append(site);
+                free.append(site);
             }
         }
+        if (free.size() > best.size())
+        {
+            best = free;
+        }
     }
-    return pointField(std::move(found));
+    return best;
 }
 
 
@@ -113,10 +76,10 @@ bool Foam::fsi::packedPlacement::tryMove
     object.centre += displacement;
     object.rotation = turn & object.rotation;
 
-    const outline candidate = space.placedOutline(object);
+    const closedSurface candidate = space.placed(object);
     if
     (
-        !packing::inside(candidate, container, 0)
+        !candidate.inside(container, 0)
      || space.findConflict(candidate, minimumGap(), objecti) >= 0
     )
     {
@@ -135,7 +98,7 @@ void Foam::fsi::packedPlacement::shake
 )
 {
     const label n = space.size() - first;
-    scalar step = mag(space.shape(shape_).bounds().span());
+    scalar step = mag(space.shape(shape()).bounds().span());
     scalar angle = 90;
     const scalar largestStep = mag(container.span());
 
@@ -150,11 +113,11 @@ void Foam::fsi::packedPlacement::shake
         label moved = 0, turned = 0;
         for (label objecti = first; objecti < space.size(); ++objecti)
         {
-            const vector displacement = step*randomInDisc();
+            const vector displacement = step*randomInBall();
             moved +=
                 tryMove(space, container, objecti, displacement, tensor::I);
-            const tensor turn =
-                rotation(angle*(2*random().sample01<scalar>() - 1));
+            const scalar degrees = angle*(2*random().sample01<scalar>() - 1);
+            const tensor turn = randomTurn(random(), nDims(), degrees);
             turned += tryMove(space, container, objecti, Zero, turn);
         }
         adapt(step, moved, largestStep);
@@ -172,17 +135,8 @@ Foam::fsi::packedPlacement::packedPlacement
     const packing& space
 )
 :
-    placement
-    (
-        name,
-        dict,
-        {"region", "number", "areaFraction", "rotation", "sweeps"},
-        3*space.spacing(),
-        dict.lookupOrDefault<scalar>("minimumGap", 3*space.spacing())
-    ),
-    shape_(readShape(dict, space)),
-    rotation_(rotation(dict.lookupOrDefault<scalar>("rotation", 0))),
-    sweeps_(readAtLeast(dict, "sweeps", 500, 0))
+    soughtPlacement(name, dict, space, {"sweeps"}),
+    sweeps_(readBetween(dict, "sweeps", 500, 0, 1000000))
 {}
 
 
@@ -191,31 +145,23 @@ Foam::fsi::packedPlacement::packedPlacement
 void Foam::fsi::packedPlacement::place(packing& space)
 {
     const boundBox container(readContainer(space));
-    const label number = readNumber(space, shape_);
-    const outline object = space.shape(shape_).moved(rotation_, Zero);
-
-    pointField centres = sites(space, container, object, false);
-    const pointField staggered = sites(space, container, object, true);
-    if (staggered.size() > centres.size())
+    const label number = readNumber(space);
+    if (number == 0)
     {
-        centres = staggered;
+        return;
     }
+
+    pointField centres = bestSites(space, container);
     if (centres.size() < number)
     {
-        FatalIOErrorInFunction(dict())
-            << "Entry '" << (dict().found("number") ? "number" : "areaFraction")
-            << "' of placement " << name() << " asks for " << number
-            << " objects of shape " << space.shapeNames()[shape_]
-            << " but there is no room for more than " << centres.size() << nl
-            << "Take fewer objects or a smaller minimumGap ("
-            << minimumGap() << " m)" << exit(FatalIOError);
+        lackRoom(space, number, centres.size(), "");
     }
     thin(centres, number);
 
     const label first = space.size();
     for (const point& centre : centres)
     {
-        space.insert(newObject(shape_, centre, rotation_));
+        space.insert(newObject(shape(), centre, rotation()));
     }
     shake(space, container, first);
 }

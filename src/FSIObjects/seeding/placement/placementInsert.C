@@ -16,7 +16,7 @@ void Foam::fsi::placement::insertAll
 
     for (const placedObject& object : objects)
     {
-        const outline candidate = space.placedOutline(object);
+        const closedSurface candidate = space.placed(object);
         const label other = space.findConflict(candidate, minimumGap_);
         const label objecti = space.insert(object);
 

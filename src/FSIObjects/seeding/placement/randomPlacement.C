@@ -3,7 +3,7 @@
 #include "randomPlacement.H"
 #include "Switch.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -23,26 +23,29 @@ bool Foam::fsi::randomPlacement::findPlace
 (
     const packing& space,
     const boundBox& container,
-    placedObject& object
+    placedObject& object,
+    label& nConflicts
 )
 {
+    nConflicts = 0;
     const vector span = container.span();
     for (label i = 0; i < maxAttempts_; ++i)
     {
         object.centre = container.min();
-        object.centre.x() += span.x()*random().sample01<scalar>();
-        object.centre.y() += span.y()*random().sample01<scalar>();
-        object.rotation =
-            randomRotation_ ? randomRotation() : rotation(rotation_);
-
-        const outline candidate = space.placedOutline(object);
-        if
-        (
-            packing::inside(candidate, container, 0)
-         && space.findConflict(candidate, minimumGap()) < 0
-        )
+        for (direction d = 0; d < nDims(); ++d)
         {
-            return true;
+            object.centre[d] += span[d]*random().sample01<scalar>();
+        }
+        object.rotation = randomRotation_ ? randomRotation() : rotation();
+
+        const closedSurface candidate = space.placed(object);
+        if (candidate.inside(container, 0))
+        {
+            if (space.findConflict(candidate, minimumGap()) < 0)
+            {
+                return true;
+            }
+            ++nConflicts;
         }
     }
     return false;
@@ -58,21 +61,9 @@ Foam::fsi::randomPlacement::randomPlacement
     const packing& space
 )
 :
-    placement
-    (
-        name,
-        dict,
-        {
-            "region", "number", "areaFraction", "rotation", "randomRotation",
-            "maxAttempts"
-        },
-        3*space.spacing(),
-        dict.lookupOrDefault<scalar>("minimumGap", 3*space.spacing())
-    ),
-    shape_(readShape(dict, space)),
+    soughtPlacement(name, dict, space, {"randomRotation", "maxAttempts"}),
     randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", true)),
-    rotation_(dict.lookupOrDefault<scalar>("rotation", 0)),
-    maxAttempts_(readAtLeast(dict, "maxAttempts", 10000, 1))
+    maxAttempts_(readBetween(dict, "maxAttempts", 10000, 1, 10000000))
 {}
 
 
@@ -81,23 +72,25 @@ Foam::fsi::randomPlacement::randomPlacement
 void Foam::fsi::randomPlacement::place(packing& space)
 {
     const boundBox container(readContainer(space));
-    const label number = readNumber(space, shape_);
+    const label number = readNumber(space);
 
     for (label i = 0; i < number; ++i)
     {
-        placedObject object = newObject(shape_, container.min(), tensor::I);
-        if (!findPlace(space, container, object))
+        placedObject object = newObject(shape(), container.min(), tensor::I);
+        label nConflicts = 0;
+        if (!findPlace(space, container, object, nConflicts))
         {
-            FatalIOErrorInFunction(dict())
-                << "Entry '"
-                << (dict().found("number") ? "number" : "areaFraction")
-                << "' of placement " << name() << " asks for " << number
-                << " objects of shape " << space.shapeNames()[shape_]
-                << " but there is no room for more than " << i
-                << " found in " << maxAttempts_ << " attempts (maxAttempts)"
-                << nl << "Take fewer objects, a smaller minimumGap ("
-                << minimumGap() << " m), or type packed"
-                << exit(FatalIOError);
+            if (nConflicts == 0)
+            {
+                // None of the places was in the container
+                checkFits(space.placed(object), container);
+            }
+            OStringStream os;
+            os  << " found in " << maxAttempts_ << " attempts (maxAttempts): "
+                << nConflicts << " were too near to other objects, "
+                << maxAttempts_ - nConflicts << " to the walls or the ends of"
+                << " the region";
+            lackRoom(space, number, i, os.str());
         }
         space.insert(object);
     }

@@ -132,7 +132,7 @@ void Foam::fsi::thesisContact::warn(const contactProblem& problem)
     }
     const scalar kinetic = 0.5*sum
     (
-        problem.bodies.masses()*magSqr(problem.surfaces.velocities())
+        problem.bodies.masses()*magSqr(problem.velocities)
     );
     const scalar springs = potentialEnergy(problem);
     if (springs > 10*kinetic)
@@ -198,7 +198,7 @@ void Foam::fsi::thesisContact::addForces
             force[nodei] -=
                 problem.bodies.internalForces()[nodei]
               + problem.bodies.masses()[nodei]/problem.dt
-               *problem.surfaces.velocities()[nodei];
+               *problem.velocities[nodei];
         }
     }
 }

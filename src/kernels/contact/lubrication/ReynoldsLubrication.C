@@ -34,7 +34,7 @@ Foam::fsi::ReynoldsLubrication::ReynoldsLubrication
     cutOff_(readPositive(dict, "cutOff", 1)*scales.spacing),
     roughness_(readPositive(dict, "roughness", 0.01)*scales.spacing),
     largestPull_(readNonNegative(dict, "pull", 0.1)*scales.youngsModulus),
-    factor_(0)
+    surfaces_(nullptr)
 {
     checkKeys(dict, {"type", "viscosity", "cutOff", "roughness", "pull"});
     if (cutOff_ > scales.range || roughness_ >= cutOff_)
@@ -49,67 +49,70 @@ Foam::fsi::ReynoldsLubrication::ReynoldsLubrication
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::ReynoldsLubrication::setCurvatures(const surfaceSet& surfaces)
+Foam::scalar Foam::fsi::ReynoldsLubrication::lengthPart
+(
+    const contactPair& pair,
+    const scalar curvature
+) const
 {
-    const pointField& x = surfaces.points();
-    const List<surfaceFace>& faces = surfaces.faces();
-
-    vectorField before(x.size(), Zero);
-    vectorField behind(x.size(), Zero);
-    for (const surfaceFace& f : faces)
-    {
-        behind[f[0]] = x[f[1]] - x[f[0]];
-        before[f[1]] = behind[f[0]];
-    }
-
-    // Of the circle through a node and its neighbours
-    scalarField curvature(x.size());
-    forAll(curvature, i)
-    {
-        nodeLengths_[i] = 0.5*(mag(before[i]) + mag(behind[i]));
-        const scalar lengths =
-            mag(before[i])*mag(behind[i])*mag(before[i] + behind[i]);
-        curvature[i] = 2*(before[i] ^ behind[i]).z()/max(lengths, VSMALL);
-    }
-    nodeCurvatures_ = 0.5*curvature;
-    for (const surfaceFace& f : faces)
-    {
-        nodeCurvatures_[f[0]] += 0.25*curvature[f[1]];
-        nodeCurvatures_[f[1]] += 0.25*curvature[f[0]];
-    }
-    forAll(faces, facei)
-    {
-        const surfaceFace& f = faces[facei];
-        faceCurvatures_[facei] =
-            0.5*(nodeCurvatures_[f[0]] + nodeCurvatures_[f[1]]);
-    }
+    const scalar width = Foam::sqrt(2/curvature*max(pair.gap, roughness_));
+    const scalar share = 0.5*surface_.size(pair.node)/width;
+    return
+        share < 1e-3
+      ? 1
+      : 0.5/(1 + sqr(share)) + 0.5*Foam::atan(share)/share;
 }
 
 
+Foam::scalar Foam::fsi::ReynoldsLubrication::areaPart
+(
+    const contactPair& pair,
+    const scalar curvature
+) const
+{
+    // The gap opens with the angle between the surfaces
+    vector apart(surface_.normals()[pair.node]);
+    apart +=
+        pair.face < 0
+      ? pair.normal
+      : surfaces_->interpolate(surface_.normals(), pair.face, pair.weights);
+
+    const scalar gap = max(pair.gap, roughness_);
+    const scalar least = max
+    (
+        gap - magSqr(apart)/curvature, max(0.25*gap, roughness_)
+    );
+    const scalar widthSqr = 4*least/curvature;
+    const scalar awaySqr = (gap - least)/least;
+    const scalar share =
+        surface_.size(pair.node)/(constant::mathematical::pi*widthSqr);
+    const scalar x = 1 + awaySqr - share;
+
+    // 1 - x/root without its cancellation
+    const scalar root = Foam::sqrt(sqr(x) + 4*share);
+    const scalar rest =
+        x > 0 ? 4*share/(root*(root + x)) : 1 - x/root;
+    return 0.5*rest/share*sqr(gap/least);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
 void Foam::fsi::ReynoldsLubrication::update(const surfaceSet& surfaces)
 {
-    const bool planar = surfaces.nDims() == 2;
     const scalar pi = constant::mathematical::pi;
 
-    factor_ = (planar ? 6 : 3)*viscosity_;
+    surfaces_ = &surfaces;
     curvatures_.setSize(surfaces.size());
     forAll(curvatures_, objecti)
     {
         const scalar area = surfaces.surfaceArea(objecti);
-        curvatures_[objecti] = planar ? 2*pi/area : sqrt(4*pi/area);
+        curvatures_[objecti] =
+            surfaces.nDims() == 2 ? 2*pi/area : 2*Foam::sqrt(4*pi/area);
     }
-    nodeCurvatures_.setSize(surfaces.points().size());
-    nodeCurvatures_ = 0;
-    faceCurvatures_.setSize(surfaces.faces().size());
-    faceCurvatures_ = 0;
-    nodeLengths_.setSize(surfaces.points().size());
-    nodeLengths_ = 0;
-    if (planar)
-    {
-        setCurvatures(surfaces);
-    }
+    surface_.update(surfaces);
 }
 
 
@@ -123,18 +126,13 @@ Foam::scalar Foam::fsi::ReynoldsLubrication::resistance
     const scalar bodies =
         curvatures_[objecti] + (wall ? 0 : curvatures_[pair.other]);
     const scalar place =
-        nodeCurvatures_[pair.node] + (wall ? 0 : faceCurvatures_[pair.face]);
-    const scalar R = 1/max(bodies, place);
-
-    // Of a film that is shorter than its node's share of the surface, what
-    // there is of it
-    const scalar width = Foam::sqrt(2*R*max(pair.gap, roughness_));
-    const scalar share = 0.5*nodeLengths_[pair.node]/width;
+        surface_.node(pair.node) + (wall ? 0 : surface_.face(pair.face));
+    const scalar curvature = max(bodies, place);
     const scalar part =
-        share < 1e-3
-      ? 1
-      : 0.5/(1 + sqr(share)) + 0.5*Foam::atan(share)/share;
-    return factor_*R*part;
+        surfaces_->nDims() == 2
+      ? lengthPart(pair, curvature)
+      : areaPart(pair, curvature);
+    return 6*viscosity_*(1/curvature)*part;
 }
 
 

@@ -95,10 +95,43 @@ Foam::scalar Foam::fsi::contactResponse::inverse
 }
 
 
+void Foam::fsi::contactResponse::setRows(const UList<contactPair>& pairs)
+{
+    taken_.setSize(surfaces_->points().size());
+    taken_ = false;
+    for (const contactPair& pair : pairs)
+    {
+        taken_[pair.node] = true;
+        for (label i = 0; pair.face >= 0 && i < surfaces_->nNodes(); ++i)
+        {
+            taken_[surfaces_->faces()[pair.face][i]] = true;
+        }
+    }
+    rows_.clear();
+    rowStart_.setSize(surfaces_->size() + 1);
+    for (label objecti = 0; objecti < surfaces_->size(); ++objecti)
+    {
+        rowStart_[objecti] = rows_.size();
+        const label start = surfaces_->pointStart()[objecti];
+        const label end = surfaces_->pointStart()[objecti + 1];
+        for (label nodei = start; nodei < end; ++nodei)
+        {
+            if (taken_[nodei])
+            {
+                rows_.append(nodei - start);
+            }
+        }
+    }
+    rowStart_.last() = rows_.size();
+}
+
+
 void Foam::fsi::contactResponse::addImpulse
 (
     const label objecti,
-    const label nodei,
+    const label nNodes,
+    const label* nodes,
+    const scalar* weights,
     const vector& impulse
 )
 {
@@ -108,16 +141,37 @@ void Foam::fsi::contactResponse::addImpulse
         return;
     }
     const label start = surfaces_->pointStart()[objecti];
+    vector* v = &velocities_[start];
     if ((*bodies_)[objecti].coupled)
     {
-        addCoupled(*B, nodei - start, impulse, &velocities_[start]);
+        for (label i = 0; i < nNodes; ++i)
+        {
+            if (weights[i] != 0)
+            {
+                addCoupled(*B, nodes[i] - start, weights[i]*impulse, v);
+            }
+        }
         return;
     }
-    const double* column = B->col(nodei - start).data();
-    vector* v = &velocities_[start];
-    for (label i = 0; i < B->rows(); ++i)
+
+    const label* rows = rows_.cdata() + rowStart_[objecti];
+    const label nRows = rowStart_[objecti + 1] - rowStart_[objecti];
+    if (sum_.size() < nRows)
     {
-        v[i] += column[i]*impulse;
+        sum_.setSize(nRows);
+    }
+    for (label i = 0; i < nNodes; ++i)
+    {
+        const double* column = B->col(nodes[i] - start).data();
+        for (label row = 0; row < nRows; ++row)
+        {
+            sum_[row] =
+                (i > 0 ? sum_[row] : 0) + weights[i]*column[rows[row]];
+        }
+    }
+    for (label row = 0; row < nRows; ++row)
+    {
+        v[rows[row]] += sum_[row]*impulse;
     }
 }
 
@@ -142,6 +196,7 @@ void Foam::fsi::contactResponse::addModes
 void Foam::fsi::contactResponse::reset
 (
     const surfaceSet& surfaces,
+    const vectorField& velocities,
     const contactBodies& bodies,
     const UList<contactPair>& pairs
 )
@@ -149,7 +204,7 @@ void Foam::fsi::contactResponse::reset
     surfaces_ = &surfaces;
     bodies_ = &bodies;
     pairs_ = pairs.cdata();
-    velocities_ = surfaces.velocities();
+    velocities_ = velocities;
     amplitudes_.setSize(surfaces.size());
     amplitudes_ = modeValues(0.0);
 
@@ -158,6 +213,7 @@ void Foam::fsi::contactResponse::reset
         nodeShares_.setSize(2*pairs.size());
         otherShares_.setSize(2*pairs.size());
     }
+    setRows(pairs);
     forAll(pairs, pairi)
     {
         setShares(pairi);
@@ -213,18 +269,20 @@ void Foam::fsi::contactResponse::addImpulse
     const contactPair& pair = pairs_[pairi];
     const vector j(impulse*pair.normal);
 
-    addImpulse(own(pair), pair.node, j);
+    const scalar whole = 1;
+    addImpulse(own(pair), 1, &pair.node, &whole, j);
     addModes(own(pair), nodeShares_[pairi], impulse);
     if (pair.face >= 0)
     {
         const surfaceFace& f = surfaces_->faces()[pair.face];
-        for (label i = 0; i < surfaces_->nNodes(); ++i)
-        {
-            if (pair.weights[i] != 0)
-            {
-                addImpulse(pair.other, f[i], -pair.weights[i]*j);
-            }
-        }
+        addImpulse
+        (
+            pair.other,
+            surfaces_->nNodes(),
+            f.cdata(),
+            pair.weights.cdata(),
+            -j
+        );
         addModes(pair.other, otherShares_[pairi], impulse);
     }
 }

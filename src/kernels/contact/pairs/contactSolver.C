@@ -76,7 +76,13 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
 {
     const label nPairs = problem.found.pairs.size();
 
-    response_.reset(problem.surfaces, problem.bodies, problem.found.pairs);
+    response_.reset
+    (
+        problem.surfaces,
+        problem.velocities,
+        problem.bodies,
+        problem.found.pairs
+    );
     compliances_.setSize(nPairs);
     endGaps_.setSize(nPairs);
     endGaps_ = GREAT;

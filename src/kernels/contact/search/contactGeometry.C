@@ -49,16 +49,20 @@ Foam::fsi::contactPair Foam::fsi::contactGeometry::pair
     const surfaceFace& f = surfaces.faces()[nearest.face];
 
     vector outward(Zero);
-    bool inside = true;
+    label nUsed = 0;
     for (label i = 0; i < surfaces.nNodes(); ++i)
     {
         outward += nearest.weights[i]*nodeNormals_[f[i]];
-        inside = inside && nearest.weights[i] > 1e-9;
+        nUsed += nearest.weights[i] > 1e-9;
     }
     const scalar distance = mag(nearest.offset);
-    if (inside || magSqr(outward) < VSMALL)
+    if (nUsed == surfaces.nNodes() || magSqr(outward) < VSMALL)
     {
         outward = surfaces.areaNormal(nearest.face);
+    }
+    else if (nUsed == 2)
+    {
+        outward = nearest.normals;
     }
 
     contactPair p;
@@ -116,63 +120,6 @@ void Foam::fsi::contactGeometry::update(const surfaceSet& surfaces)
 }
 
 
-Foam::fsi::contactGeometry::nodeGroup Foam::fsi::contactGeometry::group
-(
-    const surfaceSet& surfaces,
-    const label begin,
-    const label end
-) const
-{
-    nodeGroup g;
-    g.object = surfaces.pointObject()[begin];
-    g.leastNormalSqr = GREAT;
-    for (label nodei = begin; nodei < end; ++nodei)
-    {
-        g.places.add(surfaces.points()[nodei]);
-        g.normals.add(nodeNormals_[nodei]);
-        g.leastNormalSqr = min(g.leastNormalSqr, magSqr(nodeNormals_[nodei]));
-    }
-    return g;
-}
-
-
-bool Foam::fsi::contactGeometry::mayPair
-(
-    const nodeGroup& nodes,
-    const label object,
-    const label facei,
-    const point& centre,
-    const scalar reach
-) const
-{
-    const point& lower = nodes.places.min();
-    const point& upper = nodes.places.max();
-    if (magSqr(centre - max(min(centre, upper), lower)) >= sqr(reach))
-    {
-        return false;
-    }
-    if (object != nodes.object)
-    {
-        return true;
-    }
-
-    // The most opposed normal, see opposed(), and how far in front of the
-    // face's plane a node is at most, see inFront()
-    const vector& n = faceNormals_[facei];
-    const vector& a = nodes.normals.min();
-    const vector& b = nodes.normals.max();
-    const scalar along = cmptSum(min(cmptMultiply(a, n), cmptMultiply(b, n)));
-    const scalar front = cmptSum
-    (
-        max(cmptMultiply(lower - centre, n), cmptMultiply(upper - centre, n))
-    );
-    return
-        selfContact_
-     && along < 0 && sqr(along) > 0.249*nodes.leastNormalSqr
-     && front > -1e-6*reach;
-}
-
-
 void Foam::fsi::contactGeometry::consider
 (
     const surfaceSet& surfaces,
@@ -194,6 +141,8 @@ void Foam::fsi::contactGeometry::consider
     candidate.offset =
         x - surfaces.nearestOnFace(facei, x, candidate.weights);
 
+    candidate.normals = faceNormals_[facei];
+
     const scalar distanceSqr = magSqr(candidate.offset);
     if
     (
@@ -208,7 +157,13 @@ void Foam::fsi::contactGeometry::consider
     {
         if (surfaces.faceObject()[known.face] == object)
         {
-            if (distanceSqr < magSqr(known.offset))
+            const scalar knownSqr = magSqr(known.offset);
+            if (magSqr(candidate.offset - known.offset) < 1e-18*knownSqr)
+            {
+                candidate.normals += known.normals;
+                known.normals = candidate.normals;
+            }
+            if (distanceSqr < knownSqr)
             {
                 known = candidate;
             }
@@ -216,6 +171,24 @@ void Foam::fsi::contactGeometry::consider
         }
     }
     nearest_.append(candidate);
+}
+
+
+Foam::scalar Foam::fsi::contactGeometry::reachSqr
+(
+    const surfaceSet& surfaces,
+    const label object,
+    const scalar range
+) const
+{
+    for (const nearestFace& known : nearest_)
+    {
+        if (surfaces.faceObject()[known.face] == object)
+        {
+            return magSqr(known.offset);
+        }
+    }
+    return sqr(range);
 }
 
 

@@ -29,10 +29,12 @@ Foam::fsi::contactSearch::contactSearch(const dictionary& dict)
 
 Foam::autoPtr<Foam::fsi::contactSearch> Foam::fsi::contactSearch::New
 (
-    const dictionary& dict
+    const dictionary& dict,
+    const direction nDims
 )
 {
-    const word type(dict.lookupOrDefault<word>("type", "surfaceCells"));
+    const word usual(nDims == 2 ? "surfaceCells" : "surfaceTree");
+    const word type(dict.lookupOrDefault<word>("type", usual));
     return constructorOf
     (
         *dictionaryConstructorTablePtr_, dict, typeName, type

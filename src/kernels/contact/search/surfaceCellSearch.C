@@ -143,12 +143,13 @@ bool Foam::fsi::surfaceCellSearch::mayPair
     const label end
 ) const
 {
-    const contactGeometry::nodeGroup nodes
-    (
-        geometry_.group(surfaces, begin, end)
-    );
-    const cube first = cubeOf(nodes.places.min());
-    const cube last = cubeOf(nodes.places.max());
+    nodeGroup nodes(surfaces.pointObject()[begin]);
+    for (label nodei = begin; nodei < end; ++nodei)
+    {
+        geometry_.addTo(nodes, surfaces, nodei);
+    }
+    const cube first = cubeOf(nodes.places().min());
+    const cube last = cubeOf(nodes.places().max());
     for (direction d = 0; d < 3; ++d)
     {
         if (last[d] - first[d] >= maxCubes)
@@ -166,9 +167,13 @@ bool Foam::fsi::surfaceCellSearch::mayPair
         {
             any = anyInRow(slot(first[0] - 1, j, k), width, [&](const label i)
             {
-                return geometry_.mayPair
+                return nodes.mayPair
                 (
-                    nodes, objects_[i], faces_[i], centres_[i], reach_
+                    objects_[i],
+                    geometry_.faceNormal(faces_[i]),
+                    centres_[i],
+                    reach_,
+                    geometry_.selfContact()
                 );
             });
         }

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectResponse.H"
+#include "rigidForce.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::addRigidForce
+(
+    const fsiSystem& system,
+    const vectorField& nodal,
+    List<Eigen::MatrixXd>& force
+)
+{
+    List<Eigen::MatrixXd> boundary;
+    system.objects.layout().toBoundary(nodal, boundary);
+    forAll(force, groupi)
+    {
+        addRigidForce
+        (
+            system.objects.groups()[groupi], boundary[groupi], force[groupi]
+        );
+    }
+}
+
+
+void Foam::fsi::addResponse
+(
+    const population& objects,
+    const List<Eigen::MatrixXd>& force,
+    List<Eigen::MatrixXd>& velocity
+)
+{
+    forAll(force, groupi)
+    {
+        if (force[groupi].size())
+        {
+            Eigen::MatrixXd v;
+            objects.groups()[groupi].response().respond(force[groupi], v);
+            velocity[groupi] += v;
+        }
+    }
+}
+
+
+// ************************************************************************* //

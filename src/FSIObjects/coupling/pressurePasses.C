@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pressurePasses.H"
+#include "dictionaryCheck.H"
+#include "sumOverRanks.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::pressurePasses::pressurePasses(const dictionary& dict)
+:
+    most_(readAtLeast(dict, "passes", 1, 1)),
+    tolerance_(readPositive(dict, "passTolerance", 0.002)),
+    done_(0),
+    error_(0),
+    acceleration_(most_)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::pressurePasses::begin()
+{
+    done_ = 0;
+    error_ = 0;
+    acceleration_.clear();
+}
+
+
+void Foam::fsi::pressurePasses::measure
+(
+    const boolList& fluid,
+    const vectorField& before,
+    const vectorField& after,
+    const vectorField& ofFluxes
+)
+{
+    scalarList squares(2, Zero);
+    forAll(fluid, celli)
+    {
+        if (fluid[celli])
+        {
+            squares[0] +=
+                magSqr(after[celli] - before[celli] - ofFluxes[celli]);
+            squares[1] += magSqr(after[celli]);
+        }
+    }
+    sumOverRanks(squares);
+    error_ = sqrt(squares[0]/max(squares[1], VSMALL));
+    ++done_;
+}
+
+
+// ************************************************************************* //

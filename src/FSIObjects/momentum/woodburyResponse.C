@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "woodburyResponse.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::woodburyResponse::woodburyResponse(const bodyGroup& group)
+:
+    viscousResponse(group)
+{}
+
+
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
+
+Foam::fsi::woodburyResponse::modeVector Foam::fsi::woodburyResponse::project
+(
+    const std::vector<Eigen::MatrixXd>& modes,
+    const Eigen::MatrixXd& x,
+    const label copyi,
+    const label nModes
+) const
+{
+    const label nDims = group_.shape().nDims();
+    const auto columns = x.middleCols(nDims*copyi, nDims);
+    modeVector amount(nModes);
+    for (label mode = 0; mode < nModes; ++mode)
+    {
+        amount[mode] = modes[mode].middleCols(nDims*copyi, nDims)
+           .cwiseProduct(columns).sum();
+    }
+    return amount;
+}
+
+
+void Foam::fsi::woodburyResponse::updateLinks
+(
+    const std::vector<copyLink>* links,
+    const std::vector<Eigen::MatrixXd>& resisting
+)
+{
+    makeModes();
+    for (const Eigen::MatrixXd& mode : resisting)
+    {
+        modes_.emplace_back(Eigen::MatrixXd::Zero(nRows(), mode.cols()));
+        modes_.back().topRows(mode.rows()) = mode;
+    }
+    makeMatrices(links);
+    makeWoodbury();
+    makeSource();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::woodburyResponse::addModes
+(
+    const std::vector<Eigen::MatrixXd>& modes,
+    const modeVector& amount,
+    const label copyi,
+    Eigen::MatrixXd& x
+) const
+{
+    const label nDims = group_.shape().nDims();
+    for (label mode = 0; mode < amount.size(); ++mode)
+    {
+        x.middleCols(nDims*copyi, nDims) +=
+            amount[mode]*modes[mode].middleCols(nDims*copyi, nDims);
+    }
+}
+
+
+void Foam::fsi::woodburyResponse::makeWoodbury()
+{
+    const label nModes(modes_.size());
+    solved_.resize(nModes);
+    for (label mode = 0; mode < nModes; ++mode)
+    {
+        solveMatrices(modes_[mode], solved_[mode]);
+    }
+    woodbury_.resize(group_.size());
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        const label nAdded = added_[copyi].rows();
+        modeMatrix inverse(modeMatrix::Identity(nModes, nModes));
+        inverse.topLeftCorner(nAdded, nAdded) =
+            deltaT_*added_[copyi].inverse();
+        for (label mode = 0; mode < nModes; ++mode)
+        {
+            inverse.col(mode) += project(modes_, solved_[mode], copyi, nModes);
+        }
+        woodbury_[copyi] = inverse.inverse();
+    }
+}
+
+
+void Foam::fsi::woodburyResponse::makeSource()
+{
+    const Eigen::MatrixXd predicted(start().topRows(nRows()));
+    source_ = multiply(predicted);
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        const modeVector amount
+        (
+            added_[copyi]
+           *project(modes_, predicted, copyi, added_[copyi].rows())
+        );
+        addModes(modes_, amount, copyi, source_);
+    }
+    source_ /= deltaT_;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::woodburyResponse::solve
+(
+    const Eigen::MatrixXd& f,
+    Eigen::MatrixXd& v
+) const
+{
+    load_ = source_;
+    load_.topRows(f.rows()) += f;
+    solveMatrices(load_, solution_);
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        const modeVector amount
+        (
+            -(
+                woodbury_[copyi]
+               *project(modes_, solution_, copyi, modes_.size())
+            )
+        );
+        addModes(solved_, amount, copyi, solution_);
+    }
+    v = solution_.topRows(f.rows());
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "regionPlacement.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Unit of an area or a volume
+static const char* unitOf(const direction nDims)
+{
+    return nDims == 2 ? " m2" : " m3";
+}
+
+
+//- Those keys and `region`
+static wordList withRegion(const wordList& ownKeys)
+{
+    wordList keys(ownKeys);
+    keys.append("region");
+    return keys;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::regionPlacement::sizeOf
+(
+    const boundBox& box,
+    const direction nDims
+)
+{
+    scalar size = 1;
+    for (direction d = 0; d < nDims; ++d)
+    {
+        size *= max(box.span()[d], scalar(0));
+    }
+    return size;
+}
+
+
+Foam::boundBox Foam::fsi::regionPlacement::readRegion
+(
+    const packing& space
+) const
+{
+    if (!dict().found("region"))
+    {
+        return space.domain();
+    }
+
+    const dictionary& region = dict().subDict("region");
+    checkKeys(region, {"min", "max"});
+    const boundBox box(region.get<point>("min"), region.get<point>("max"));
+    if
+    (
+        !(sizeOf(box, nDims()) > 0)
+     || !closedSurface::near(box, space.domain(), 0, nDims())
+    )
+    {
+        FatalIOErrorInFunction(region)
+            << "The box of entry 'region' in placement " << name() << " is "
+            << box.min() << ' ' << box.max()
+            << " but must have min < max and meet the domain "
+            << space.domain().min() << ' ' << space.domain().max()
+            << exit(FatalIOError);
+    }
+    return box;
+}
+
+
+void Foam::fsi::regionPlacement::checkRoom
+(
+    const packing& space,
+    const scalar number,
+    const boundBox& box,
+    const word& key
+) const
+{
+    const scalar own = space.shape(shape_).volume();
+    const scalar size = sizeOf(box, nDims());
+    if (number >= 1 && number*own > size*(1 + SMALL))
+    {
+        FatalIOErrorInFunction(dict())
+            << "Entry '" << key << "' of placement " << name()
+            << " asks for " << number << " objects of shape "
+            << space.shapeNames()[shape_] << ", " << number*own
+            << unitOf(nDims()) << " together, but there is no room for more"
+            << " than the " << size << unitOf(nDims()) << " from " << box.min()
+            << " to " << box.max() << nl << "Take fewer objects, a smaller"
+            << " shape, a larger region or a smaller wallGap (" << wallGap()
+            << " m)" << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::regionPlacement::regionPlacement
+(
+    const word& name,
+    const dictionary& dict,
+    const packing& space,
+    const wordList& ownKeys,
+    const scalar defaultMinimumGap,
+    const scalar defaultWallGap
+)
+:
+    placement
+    (
+        name,
+        dict,
+        space,
+        withRegion(ownKeys),
+        defaultMinimumGap,
+        defaultWallGap
+    ),
+    shape_(readShape(dict, space)),
+    region_(readRegion(space))
+{}
+
+
+// ************************************************************************* //

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "soughtPlacement.H"
+#include "dictionaryCheck.H"
+#include "rotations.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- The keys of sought placements and some more
+static wordList withSoughtKeys(const wordList& ownKeys, const word& fraction)
+{
+    wordList keys({"number", fraction, "rotation"});
+    keys.append(ownKeys);
+    return keys;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+Foam::boundBox Foam::fsi::soughtPlacement::readContainer
+(
+    const packing& space
+) const
+{
+    vector gap(Zero);
+    for (direction d = 0; d < nDims(); ++d)
+    {
+        gap[d] = wallGap();
+    }
+    return boundBox
+    (
+        max(region().min(), space.domain().min() + gap),
+        min(region().max(), space.domain().max() - gap)
+    );
+}
+
+
+Foam::word Foam::fsi::soughtPlacement::fractionKey(const packing& space)
+{
+    return space.nDims() == 2 ? "areaFraction" : "volumeFraction";
+}
+
+
+Foam::word Foam::fsi::soughtPlacement::numberKey() const
+{
+    return
+        dict().found("number") ? "number"
+      : nDims() == 2 ? "areaFraction"
+      : "volumeFraction";
+}
+
+
+Foam::label Foam::fsi::soughtPlacement::readNumber
+(
+    const packing& space
+) const
+{
+    const word fraction(fractionKey(space));
+    if (dict().found("number") == dict().found(fraction))
+    {
+        FatalIOErrorInFunction(dict())
+            << "Placement " << name()
+            << " needs either the entry 'number' or the entry '"
+            << fraction << '\'' << exit(FatalIOError);
+    }
+
+    scalar number = 0;
+    if (dict().found("number"))
+    {
+        number = readAtLeast(dict(), "number", 0, 0);
+    }
+    else
+    {
+        const scalar size = sizeOf(region(), nDims());
+        number =
+            readPositive(dict(), fraction)*size/space.shape(shape()).volume()
+          + 0.5;
+    }
+    checkRoom(space, number, readContainer(space), numberKey());
+    return label(number);
+}
+
+
+void Foam::fsi::soughtPlacement::checkFits
+(
+    const closedSurface& object,
+    const boundBox& container
+) const
+{
+    const vector size(object.bounds().span());
+    for (direction d = 0; d < nDims(); ++d)
+    {
+        if (size[d] > container.span()[d])
+        {
+            FatalIOErrorInFunction(dict())
+                << "There is no place for an object of placement " << name()
+                << ": it is " << size[d] << " m long in direction " << label(d)
+                << ", but the "
+                << (dict().found("region") ? "entry 'region'" : "domain")
+                << " less wallGap (" << wallGap() << " m) only "
+                << max(container.span()[d], scalar(0)) << " m" << nl
+                << "Take a smaller wallGap"
+                << (dict().found("region") ? " or a larger region" : "")
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::fsi::soughtPlacement::lackRoom
+(
+    const packing& space,
+    const label number,
+    const label found,
+    const string& details
+) const
+{
+    FatalIOErrorInFunction(dict())
+        << "Entry '" << numberKey() << "' of placement " << name()
+        << " asks for " << number << " objects of shape "
+        << space.shapeNames()[shape()] << " but there is no room for more than "
+        << found << details.c_str() << nl
+        << "Take fewer objects, a smaller minimumGap (" << minimumGap()
+        << " m), a smaller wallGap (" << wallGap() << " m)"
+        << (dict().found("region") ? ", a larger region" : "")
+        << (type() == "packed" ? "" : ", or type packed")
+        << exit(FatalIOError);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::soughtPlacement::soughtPlacement
+(
+    const word& name,
+    const dictionary& dict,
+    const packing& space,
+    const wordList& ownKeys
+)
+:
+    regionPlacement
+    (
+        name,
+        dict,
+        space,
+        withSoughtKeys(ownKeys, fractionKey(space)),
+        3*space.spacing(),
+        dict.lookupOrDefault<scalar>("minimumGap", 3*space.spacing())
+    ),
+    rotation_(readRotation(dict, nDims()))
+{}
+
+
+// ************************************************************************* //

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "shapeCheck.H"
+#include "dictionaryCheck.H"
+#include "shape.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- What to ask about a body whose size is absurd
+static const char* unitsHint(const bool absurd)
+{
+    return
+        absurd
+      ? ". Lengths are in metres: is it in another unit, as millimetres"
+        " (entry 'scale' of a shape from a file, 1e-3)?"
+      : "";
+}
+
+
+//- Fatal if a body is larger than the domain
+static void checkSize
+(
+    const dictionary& dict,
+    const shape& body,
+    const seedDomain& domain,
+    const bool prescribed
+)
+{
+    const vector span(body.bounds().span());
+    const vector room(domain.bounds.span());
+    scalar longest = 0, diagonal = 0;
+    for (direction d = 0; d < domain.nDims; ++d)
+    {
+        longest = max(longest, span[d]);
+        diagonal += sqr(room[d]);
+    }
+    const bool absurd = longest > 100*sqrt(diagonal);
+    if (absurd || (!prescribed && body.volume() > domain.size()))
+    {
+        const char* unit = domain.nDims == 2 ? " m2" : " m3";
+        FatalIOErrorInFunction(dict)
+            << "Entry 'shape' of dictionary " << dict.name()
+            << " describes an object of " << body.volume() << unit << ", "
+            << longest << " m long, which is more than that of the domain, "
+            << domain.size() << unit << ", " << sqrt(diagonal)
+            << " m from corner to corner" << unitsHint(absurd)
+            << exit(FatalIOError);
+    }
+}
+
+
+//- Fatal if a body is thinner than minimumCells cells
+static void checkThickness
+(
+    const dictionary& dict,
+    const shape& body,
+    const seedDomain& domain
+)
+{
+    const scalar cells = readNonNegative(dict, "minimumCells", 3);
+    const scalar least = cells*domain.spacing;
+    const scalar thickness = body.minimumThickness();
+    if (thickness < least)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'shape' of dictionary " << dict.name()
+            << " describes an object that is " << thickness
+            << " m thick at its thinnest, which is less than " << cells
+            << " cells, " << least << " m (entry 'minimumCells')"
+            << unitsHint(body.bounds().mag() < 0.01*least) << nl
+            << "Take a finer mesh or a larger shape; a smaller minimumCells"
+            << " is at your own risk"
+            << exit(FatalIOError);
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::checkShape(const dictionary& dict, const seedDomain& domain)
+{
+    const autoPtr<shape> body
+    (
+        shape::New(dict.subDict("shape"), domain.nDims)
+    );
+    const word motion
+    (
+        dict.subOrEmptyDict("motion").lookupOrDefault<word>("type", "free")
+    );
+    checkSize(dict, *body, domain, motion != "free");
+    checkThickness(dict, *body, domain);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "deformableResponse.H"
+#include "bodyVolume.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fsi::rigidModes::modeList Foam::fsi::deformableResponse::elasticParts
+(
+    const rigidModes::modeList& rotations
+) const
+{
+    const Eigen::Map<const Eigen::VectorXd> masses
+    (
+        shape_.nodeMasses().cdata(),
+        shape_.nNodes()
+    );
+    const label n(rotations.size());
+    rigidModes::modeList momenta(n), parts(n);
+    for (label k = 0; k < n; ++k)
+    {
+        momenta[k] = masses.asDiagonal()*rotations[k];
+        parts[k] = momenta[k];
+        matrix()->solve(parts[k]);
+    }
+
+    const direction nDims = shape_.nDims();
+    rigidModes::smallMatrix products(n, n);
+    for (label copyi = 0; copyi < nCopies(); ++copyi)
+    {
+        for (label k = 0; k < n; ++k)
+        {
+            for (label l = 0; l <= k; ++l)
+            {
+                products(k, l) = products(l, k) =
+                    rigidModes::product(parts[k], momenta[l], nDims, copyi);
+            }
+        }
+        rigidModes::orthonormalise(parts, products, nDims, copyi);
+    }
+    return parts;
+}
+
+
+void Foam::fsi::deformableResponse::addVolumeMode()
+{
+    const Eigen::MatrixXd& x = positions();
+    const label nDims = shape_.nDims();
+    Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(x.rows(), x.cols());
+    for (label copyi = 0; copyi < nCopies(); ++copyi)
+    {
+        bodyVolume::addGradient
+        (
+            shape_.faces(),
+            shape_.thickness(),
+            x.middleCols(nDims*copyi, nDims),
+            gradient.middleCols(nDims*copyi, nDims)
+        );
+    }
+
+    Eigen::MatrixXd c(gradient);
+    matrix()->solve(c);
+    for (label copyi = 0; copyi < nCopies(); ++copyi)
+    {
+        auto own = c.middleCols(nDims*copyi, nDims);
+        for (const mode& m : modes_)
+        {
+            const scalar amount = m.sign
+               *rigidModes::product(m.values, gradient, nDims, copyi);
+            own += amount*m.values.middleCols(nDims*copyi, nDims);
+        }
+        own /= std::sqrt(rigidModes::product(c, gradient, nDims, copyi));
+    }
+    addModes(modeKind::volume, -1, rigidModes::modeList(1, c));
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
+
+void Foam::fsi::deformableResponse::makeModes()
+{
+    rigidModes::modeList rotations
+    (
+        rigidModes::rotations(shape_.nodeMasses(), positions(), shape_.nDims())
+    );
+    rigidModes::modeList elastic(elasticParts(rotations));
+    addModes(modeKind::rotation, 1, std::move(rotations));
+    addModes(modeKind::elasticRotation, -1, std::move(elastic));
+    addVolumeMode();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::deformableResponse::deformableResponse(const shapeTemplate& shape)
+:
+    bodyResponse(shape, responseMatrix::New(shape))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::deformableResponse::constrainVolume
+(
+    const scalar dt,
+    Eigen::MatrixXd& v
+) const
+{
+    const label nB = shape_.nBoundaryNodes();
+    const label nDims = shape_.nDims();
+    Eigen::MatrixXd end(nB, nDims);
+
+    for (label copyi = 0; copyi < nCopies(); ++copyi)
+    {
+        const auto mode =
+            modes_.back().values.middleCols(nDims*copyi, nDims);
+        end =
+            positions().middleCols(nDims*copyi, nDims).topRows(nB)
+          + dt*v.middleCols(nDims*copyi, nDims).topRows(nB);
+
+        // From the velocity as it is
+        const bodyVolume volume(shape_.faces(), end, mode.topRows(nB));
+        const scalar factor = volume.factorFor(shape_.referenceVolume());
+        v.middleCols(nDims*copyi, nDims) += (factor/dt)*mode;
+    }
+}
+
+
+// ************************************************************************* //

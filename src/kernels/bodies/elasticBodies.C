@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "elasticBodies.H"
+#include "elementEnergy.H"
+#include "elementViscosity.H"
+#include "matrixEntry.H"
+
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::elasticBodies::addTerms
+(
+    const label copyi,
+    Eigen::MatrixXd* force
+) const
+{
+    return addElementEnergy(shape(), positions(), copyi, force);
+}
+
+
+void Foam::fsi::elasticBodies::resizeState(const label nCopies)
+{
+    deformableBodies::resizeState(nCopies);
+    meanLoad_.conservativeResize
+    (
+        shape().nBoundaryNodes(), shape().nDims()*nCopies
+    );
+}
+
+
+void Foam::fsi::elasticBodies::startState(const label copyi)
+{
+    deformableBodies::startState(copyi);
+    ofCopy(meanLoad_, copyi).setZero();
+}
+
+
+void Foam::fsi::elasticBodies::copyState(const label from, const label to)
+{
+    deformableBodies::copyState(from, to);
+    ofCopy(meanLoad_, to) = ofCopy(meanLoad_, from);
+}
+
+
+void Foam::fsi::elasticBodies::writeState(Ostream& os) const
+{
+    writeMatrix(os, "meanLoad", meanLoad_);
+    deformableBodies::writeState(os);
+}
+
+
+void Foam::fsi::elasticBodies::readState(const dictionary& dict)
+{
+    meanLoad_.setZero();
+    if (dict.found("meanLoad"))
+    {
+        readMatrix(dict, "meanLoad", meanLoad_);
+    }
+    deformableBodies::readState(dict);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::elasticBodies::elasticBodies(const shapeTemplate& shape)
+:
+    deformableBodies(shape),
+    meanLoad_(shape.nBoundaryNodes(), 0),
+    solver_(shape)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Eigen::MatrixXd Foam::fsi::elasticBodies::splitLoad(Eigen::MatrixXd& load)
+{
+    // A quarter: stable where the response is up to 8 times as stiff
+    const auto boundary = load.topRows(meanLoad_.rows());
+    meanLoad_ += 0.25*(boundary - meanLoad_);
+
+    Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(load.rows(), load.cols());
+    rest.topRows(meanLoad_.rows()) = boundary - meanLoad_;
+    load -= rest;
+    return rest;
+}
+
+
+void Foam::fsi::elasticBodies::predict
+(
+    const scalar,
+    const scalar dt,
+    const Eigen::MatrixXd& force,
+    Eigen::MatrixXd& v
+) const
+{
+    predictRange(dt, force, labelRange(0, size()), v);
+}
+
+
+void Foam::fsi::elasticBodies::predictRange
+(
+    const scalar dt,
+    const Eigen::MatrixXd& force,
+    const labelRange& copies,
+    Eigen::MatrixXd& v
+) const
+{
+    const bool viscous = shape().viscosity() > 0;
+    Eigen::MatrixXd total;
+    if (viscous)
+    {
+        total = force;
+        elementViscosity::addForce
+        (
+            shape(),
+            positions(),
+            velocities(),
+            copies,
+            total
+        );
+    }
+    solver_.solve
+    (
+        dt,
+        {positions(), velocities(), viscous ? total : force, springStates()},
+        copies,
+        v
+    );
+}
+
+
+void Foam::fsi::elasticBodies::prepareResponse(const scalar dt)
+{
+    response_.prepare(dt, positions());
+}
+
+
+// ************************************************************************* //

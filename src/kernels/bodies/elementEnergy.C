@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "elementEnergy.H"
+#include "shearTerm.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Subtract size*P g_n from the forces of a copy, if there are any
+template<int nDims>
+static void spread
+(
+    const strainDomains& domains,
+    const label domaini,
+    const scalar size,
+    scalar* P,
+    const label copyi,
+    Eigen::MatrixXd* force
+)
+{
+    if (force)
+    {
+        for (int i = 0; i < nDims*nDims; ++i)
+        {
+            P[i] *= size;
+        }
+        domains.addForce(domaini, P, force->middleCols(nDims*copyi, nDims));
+    }
+}
+
+
+//- Energy of the area or volume terms, and their forces
+template<int nDims>
+static scalar volumeEnergy
+(
+    const volumeTerm& term,
+    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    const label copyi,
+    Eigen::MatrixXd* force
+)
+{
+    const strainDomains& domains = term.volumeDomains();
+    scalar energy = 0;
+    for (label domaini = 0; domaini < domains.size(); ++domaini)
+    {
+        scalar F[nDims*nDims];
+        domains.gradient(domaini, x, true, F);
+        for (int i = 0; i < nDims; ++i)
+        {
+            F[(nDims + 1)*i] += 1;
+        }
+        const scalar size = term.stiffness()*domains.volumes()[domaini];
+        energy += size*volumeTerm::energy<nDims>(F, term.shearPart());
+        volumeTerm::toGradient<nDims>(F, term.shearPart());
+        spread<nDims>(domains, domaini, size, F, copyi, force);
+    }
+    return energy;
+}
+
+
+//- The same for the shear of neo-Hookean bodies
+template<int nDims>
+static scalar shearEnergy
+(
+    const shapeTemplate& shape,
+    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    const label copyi,
+    Eigen::MatrixXd* force
+)
+{
+    if (shape.shearModulus() == 0)
+    {
+        return 0;
+    }
+    const strainDomains& domains = shape.elementTerm().shearDomains();
+    const scalar stiffness = shearTerm::bound(nDims)*shape.shearModulus();
+    scalar energy = 0;
+    for (label domaini = 0; domaini < domains.size(); ++domaini)
+    {
+        scalar F[nDims*nDims], H[nDims*nDims];
+        domains.gradient(domaini, x, true, F);
+        std::copy(F, F + nDims*nDims, H);
+        shearTerm::toGradient<nDims>(F);
+
+        // A quadratic energy is half of the displacement times its force
+        const scalar size = stiffness*domains.volumes()[domaini];
+        for (int i = 0; i < nDims*nDims; ++i)
+        {
+            energy += 0.5*size*H[i]*F[i];
+        }
+        spread<nDims>(domains, domaini, size, F, copyi, force);
+    }
+    return energy;
+}
+
+
+//- Both
+template<int nDims>
+static scalar addEnergy
+(
+    const shapeTemplate& shape,
+    const Eigen::MatrixXd& positions,
+    const label copyi,
+    Eigen::MatrixXd* force
+)
+{
+    const auto x = positions.middleCols(nDims*copyi, nDims);
+    return
+        volumeEnergy<nDims>(shape.elementTerm(), x, copyi, force)
+      + shearEnergy<nDims>(shape, x, copyi, force);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::addElementEnergy
+(
+    const shapeTemplate& shape,
+    const Eigen::MatrixXd& positions,
+    const label copyi,
+    Eigen::MatrixXd* force
+)
+{
+    return
+        shape.nDims() == 2
+      ? addEnergy<2>(shape, positions, copyi, force)
+      : addEnergy<3>(shape, positions, copyi, force);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "matrixEntry.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::writeMatrix
+(
+    Ostream& os,
+    const word& key,
+    const Eigen::MatrixXd& matrix
+)
+{
+    List<scalar> values(matrix.size());
+    std::copy_n(matrix.data(), values.size(), values.begin());
+    // With its type, so that a dictionary can read it from a binary stream
+    values.writeEntry(key, os);
+}
+
+
+void Foam::fsi::readMatrix
+(
+    const dictionary& dict,
+    const word& key,
+    Eigen::MatrixXd& matrix
+)
+{
+    const List<scalar> values(dict.get<List<scalar>>(key));
+    if (values.size() != matrix.size())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name() << " has "
+            << values.size() << " values but must have "
+            << label(matrix.size()) << exit(FatalIOError);
+    }
+    std::copy_n(values.cbegin(), values.size(), matrix.data());
+}
+
+
+// ************************************************************************* //

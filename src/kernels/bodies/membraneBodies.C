@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "membraneBodies.H"
+#include "innerFlow.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Write the node labels of the triangles of all copies
+static void writeTriangles
+(
+    Ostream& os,
+    const List<List<bodyElement>>& triangles
+)
+{
+    DynamicList<label> labels;
+    for (const List<bodyElement>& copy : triangles)
+    {
+        for (const bodyElement& triangle : copy)
+        {
+            for (label i = 0; i < 3; ++i)
+            {
+                labels.append(triangle[i]);
+            }
+        }
+    }
+    labelList(std::move(labels)).writeEntry("triangles", os);
+}
+
+
+//- Read them into lists of the sizes they have
+static void readTriangles
+(
+    const dictionary& dict,
+    const label nNodes,
+    List<List<bodyElement>>& triangles
+)
+{
+    const labelList labels(dict.get<labelList>("triangles"));
+    label next = 0;
+    for (List<bodyElement>& copy : triangles)
+    {
+        for (bodyElement& triangle : copy)
+        {
+            for (label i = 0; i < 3 && next < labels.size(); ++i)
+            {
+                triangle[i] = labels[next++];
+            }
+        }
+    }
+    const label expected =
+        triangles.empty() ? 0 : 3*triangles.size()*triangles[0].size();
+    if
+    (
+        labels.size() != expected
+     || (expected && (min(labels) < 0 || max(labels) >= nNodes))
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'triangles' in dictionary " << dict.name() << " has "
+            << labels.size() << " values but must have " << expected
+            << " labels of nodes" << exit(FatalIOError);
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::membraneBodies::addTerms
+(
+    const label copyi,
+    Eigen::MatrixXd* force
+) const
+{
+    const auto x = ofCopy(positions(), copyi);
+    if (force)
+    {
+        shape().bending().addForce(x, ofCopy(*force, copyi));
+    }
+    return shape().bending().energy(x);
+}
+
+
+void Foam::fsi::membraneBodies::resizeState(const label nCopies)
+{
+    deformableBodies::resizeState(nCopies);
+    triangles_.resize(nCopies, shape().elements());
+}
+
+
+void Foam::fsi::membraneBodies::startState(const label copyi)
+{
+    deformableBodies::startState(copyi);
+    triangles_[copyi] = shape().elements();
+}
+
+
+void Foam::fsi::membraneBodies::copyState(const label from, const label to)
+{
+    deformableBodies::copyState(from, to);
+    triangles_[to] = triangles_[from];
+}
+
+
+void Foam::fsi::membraneBodies::writeState(Ostream& os) const
+{
+    deformableBodies::writeState(os);
+    writeTriangles(os, triangles_);
+}
+
+
+void Foam::fsi::membraneBodies::readState(const dictionary& dict)
+{
+    deformableBodies::readState(dict);
+    readTriangles(dict, shape().nNodes(), triangles_);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::membraneBodies::membraneBodies(const shapeTemplate& shape)
+:
+    deformableBodies(shape)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::membraneBodies::predict
+(
+    const scalar,
+    const scalar dt,
+    const Eigen::MatrixXd& force,
+    Eigen::MatrixXd& v
+) const
+{
+    if (!response_.preparedFor(dt, positions()))
+    {
+        response_.prepare(dt, positions(), triangles_);
+    }
+
+    const Eigen::Map<const Eigen::VectorXd> masses
+    (
+        shape().nodeMasses().cdata(),
+        shape().nNodes()
+    );
+    Eigen::MatrixXd total;
+    internalForce(total);
+    total += force;
+    total += masses.asDiagonal()*velocities()/dt;
+    response_.respondFreely(total, v);
+}
+
+
+void Foam::fsi::membraneBodies::prepareResponse(const scalar dt)
+{
+    response_.prepare(dt, positions(), triangles_);
+}
+
+
+void Foam::fsi::membraneBodies::move(const scalar dt, const Eigen::MatrixXd& v)
+{
+    deformableBodies::move(dt, v);
+    forAll(triangles_, copyi)
+    {
+        innerFlow::renew
+        (
+            triangles_[copyi],
+            ofCopy(positions(), copyi),
+            shape().nBoundaryNodes()
+        );
+    }
+}
+
+
+Foam::scalar Foam::fsi::membraneBodies::innerDissipation
+(
+    const label copyi
+) const
+{
+    return innerFlow::dissipation
+    (
+        triangles_[copyi],
+        ofCopy(positions(), copyi),
+        ofCopy(velocities(), copyi),
+        shape().membrane()->innerViscosity*shape().thickness()
+    );
+}
+
+
+// ************************************************************************* //

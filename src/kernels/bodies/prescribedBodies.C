@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "prescribedBodies.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::prescribedBodies::prescribedBodies
+(
+    const shapeTemplate& shape,
+    autoPtr<bodyMotion> motion
+)
+:
+    bodyGroup(shape),
+    motion_(std::move(motion)),
+    response_(shape)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::prescribedBodies::predict
+(
+    const scalar time,
+    const scalar dt,
+    const Eigen::MatrixXd&,
+    Eigen::MatrixXd& v
+) const
+{
+    const vector shift =
+        motion_->displacement(time + dt) - motion_->displacement(time);
+    const vector turn = motion_->rotation(time + dt) - motion_->rotation(time);
+    const scalar angle = mag(turn);
+    const vector axis(turn/max(angle, VSMALL));
+    const scalar sine = std::sin(angle);
+    const scalar versine = 2*sqr(std::sin(0.5*angle));
+
+    const label nDims = shape().nDims();
+    v.resize(positions().rows(), positions().cols());
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        const auto x = ofCopy(positions(), copyi);
+        const point centre(centroid(copyi));
+        for (label nodei = 0; nodei < x.rows(); ++nodei)
+        {
+            vector arm(Zero);
+            for (label i = 0; i < nDims; ++i)
+            {
+                arm[i] = x(nodei, i) - centre[i];
+            }
+            const vector across(axis ^ arm);
+            const vector move(shift + versine*(axis ^ across) + sine*across);
+            for (label i = 0; i < nDims; ++i)
+            {
+                v(nodei, nDims*copyi + i) = move[i]/dt;
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::prescribedBodies::prepareResponse(const scalar dt)
+{
+    response_.prepare(dt, positions());
+}
+
+
+// ************************************************************************* //

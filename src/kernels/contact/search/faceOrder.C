@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "faceOrder.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::List<Foam::fsi::surfaceFace> Foam::fsi::faceOrder::localFaces
+(
+    const surfaceSet& surfaces,
+    const label objecti
+)
+{
+    const label start = surfaces.faceStart()[objecti];
+    const label offset = surfaces.pointStart()[objecti];
+    List<surfaceFace> faces(surfaces.faceStart()[objecti + 1] - start);
+    forAll(faces, i)
+    {
+        faces[i] = surfaces.faces()[start + i];
+        for (label j = 0; j < surfaces.nNodes(); ++j)
+        {
+            faces[i][j] -= offset;
+        }
+    }
+    return faces;
+}
+
+
+void Foam::fsi::faceOrder::sortFaces(const pointField& centres)
+{
+    faces_ = identity(centres.size());
+    faceStart_ = labelList({0, faces_.size()});
+    while (faces_.size() > groupSize*nGroups())
+    {
+        labelList finer(1, Zero);
+        for (label group = 0; group < nGroups(); ++group)
+        {
+            const label begin = faceStart_[group];
+            const label end = faceStart_[group + 1];
+            const label middle = (begin + end)/2;
+            boundBox box;
+            for (label i = begin; i < end; ++i)
+            {
+                box.add(centres[faces_[i]]);
+            }
+            const vector size(box.span());
+            const direction longest =
+                size.x() >= size.y() && size.x() >= size.z()
+              ? 0
+              : (size.y() >= size.z() ? 1 : 2);
+            std::nth_element
+            (
+                faces_.begin() + begin,
+                faces_.begin() + middle,
+                faces_.begin() + end,
+                [&](const label a, const label b)
+                {
+                    return centres[a][longest] < centres[b][longest];
+                }
+            );
+            finer.append(middle);
+            finer.append(end);
+        }
+        faceStart_ = finer;
+    }
+}
+
+
+void Foam::fsi::faceOrder::sortNodes(const label nNodes)
+{
+    boolList taken(nNodes, false);
+    nodes_.clear();
+    nodeStart_ = labelList(1, Zero);
+    for (label group = 0; group < nGroups(); ++group)
+    {
+        for (const label facei : faces(group))
+        {
+            for (const label nodei : given_[facei])
+            {
+                if (nodei >= 0 && !taken[nodei])
+                {
+                    taken[nodei] = true;
+                    nodes_.append(nodei);
+                }
+            }
+        }
+        nodeStart_.append(nodes_.size());
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::faceOrder::faceOrder
+(
+    const surfaceSet& surfaces,
+    const label objecti
+)
+:
+    given_(localFaces(surfaces, objecti))
+{
+    const label start = surfaces.pointStart()[objecti];
+    pointField centres(given_.size(), Zero);
+    forAll(centres, facei)
+    {
+        for (label i = 0; i < surfaces.nNodes(); ++i)
+        {
+            centres[facei] += surfaces.points()[start + given_[facei][i]];
+        }
+        centres[facei] /= surfaces.nNodes();
+    }
+    sortFaces(centres);
+    sortNodes(surfaces.pointStart()[objecti + 1] - start);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::faceOrder::fits
+(
+    const surfaceSet& surfaces,
+    const label objecti
+) const
+{
+    const label start = surfaces.faceStart()[objecti];
+    const label offset = surfaces.pointStart()[objecti];
+    if (surfaces.faceStart()[objecti + 1] - start != given_.size())
+    {
+        return false;
+    }
+    forAll(given_, i)
+    {
+        const surfaceFace& f = surfaces.faces()[start + i];
+        for (label j = 0; j < surfaces.nNodes(); ++j)
+        {
+            if (given_[i][j] != f[j] - offset)
+            {
+                return false;
+            }
+        }
+    }
+    return surfaces.pointStart()[objecti + 1] - offset == nodes_.size();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "pairFinder.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::pairFinder::pairFinder
+(
+    const dictionary& dict,
+    const direction nDims,
+    periodicImages& images
+)
+:
+    search_(contactSearch::New(dict, nDims)),
+    images_(images)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::pairFinder::find
+(
+    const surfaceSet& surfaces,
+    const contactBodies& bodies,
+    const UList<contactWall>& walls,
+    const UList<medialAxisPoint>& medialAxis,
+    const scalar range,
+    contactPairs& found
+)
+{
+    const surfaceSet& all = images_.update(surfaces, range);
+    search_->find(all, walls, medialAxis, range, found);
+
+    // What images' nodes find their originals find with other images. Between
+    // walls and objects that are moved as prescribed nothing can act
+    label n = 0;
+    for (const contactPair& pair : found.pairs)
+    {
+        if (all.originalNode(pair.node) != pair.node)
+        {
+            continue;
+        }
+        contactPair& kept = found.pairs[n];
+        kept = pair;
+        if (pair.face >= 0)
+        {
+            kept.other = all.original(pair.other);
+            kept.face = all.originalFace(pair.face);
+        }
+        n +=
+            !bodies[surfaces.pointObject()[kept.node]].prescribed
+         || (kept.other >= 0 && !bodies[kept.other].prescribed);
+    }
+    found.pairs.resize(n);
+}
+
+
+// ************************************************************************* //

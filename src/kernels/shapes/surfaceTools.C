@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "surfaceTools.H"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::surfaceTools::volume
+(
+    const UList<point>& points,
+    const UList<surfaceFace>& faces
+)
+{
+    scalar sixfold = 0;
+    for (const surfaceFace& f : faces)
+    {
+        const point& origin = points[faces[0][0]];
+        const vector a = points[f[0]] - origin;
+        const vector b = points[f[1]] - origin;
+        const vector c = points[f[2]] - origin;
+        sixfold += a & (b^c);
+    }
+    return sixfold/6;
+}
+
+
+Foam::point Foam::fsi::surfaceTools::centroid
+(
+    const UList<point>& points,
+    const UList<surfaceFace>& faces
+)
+{
+    vector sum(Zero);
+    const point& origin = points[faces[0][0]];
+    for (const surfaceFace& f : faces)
+    {
+        const vector a = points[f[0]] - origin;
+        const vector b = points[f[1]] - origin;
+        const vector c = points[f[2]] - origin;
+        sum += (a & (b^c))*(a + b + c);
+    }
+    return origin + sum/(24*volume(points, faces));
+}
+
+
+Foam::scalar Foam::fsi::surfaceTools::area
+(
+    const UList<point>& points,
+    const UList<surfaceFace>& faces
+)
+{
+    scalar twice = 0;
+    for (const surfaceFace& f : faces)
+    {
+        twice +=
+            mag((points[f[1]] - points[f[0]])^(points[f[2]] - points[f[0]]));
+    }
+    return 0.5*twice;
+}
+
+
+Foam::label Foam::fsi::surfaceTools::nOpenEdges(const UList<surfaceFace>& faces)
+{
+    // Each edge, its lower label first, and if it runs from there
+    typedef std::pair<std::pair<label, label>, bool> side;
+    std::vector<side> sides;
+    for (const surfaceFace& f : faces)
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            const label a = f[i], b = f[(i + 1) % 3];
+            sides.emplace_back(std::minmax(a, b), a < b);
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+
+    label nOpen = 0;
+    for (std::size_t i = 0; i < sides.size(); )
+    {
+        std::size_t end = i;
+        while (end < sides.size() && sides[end].first == sides[i].first)
+        {
+            ++end;
+        }
+        nOpen += end - i != 2 || sides[i].second == sides[i + 1].second;
+        i = end;
+    }
+    return nOpen;
+}
+
+
+// ************************************************************************* //

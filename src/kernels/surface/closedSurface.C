@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "closedSurface.H"
+#include "DynamicList.H"
+#include "ListOps.H"
+#include "simplexDistance.H"
+#include "surfaceWinding.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::closedSurface::measure()
+{
+    surfaceSet alone(nDims_);
+    alone.append(points_, *faces_);
+    volume_ = alone.volume(0);
+    centroid_ = alone.centroid(0);
+
+    for (const point& p : points_)
+    {
+        outerRadius_ = max(outerRadius_, mag(p - centroid_));
+    }
+    if (contains(centroid_))
+    {
+        innerRadius_ = outerRadius_;
+        FixedList<scalar, 3> weights;
+        forAll(*faces_, facei)
+        {
+            const point nearest =
+                alone.nearestOnFace(facei, centroid_, weights);
+            innerRadius_ = min(innerRadius_, mag(nearest - centroid_));
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsi::closedSurface::centreDistance
+(
+    const closedSurface& other
+) const
+{
+    const vector solved(1, 1, nDims_ == 2 ? 0 : 1);
+    return mag(cmptMultiply(solved, other.centroid_ - centroid_));
+}
+
+
+Foam::boundBox Foam::fsi::closedSurface::faceBox(const label facei) const
+{
+    const surfaceFace& f = (*faces_)[facei];
+    boundBox box
+    (
+        min(points_[f[0]], points_[f[1]]),
+        max(points_[f[0]], points_[f[1]])
+    );
+    if (f[2] >= 0)
+    {
+        box.add(points_[f[2]]);
+    }
+    return box;
+}
+
+
+void Foam::fsi::closedSurface::keepNear
+(
+    labelList& faces,
+    boundBox& box,
+    const scalar gap
+) const
+{
+    boundBox found;
+    label n = 0;
+    for (const label facei : faces)
+    {
+        const boundBox own(faceBox(facei));
+        if (near(own, box, gap, nDims_))
+        {
+            faces[n++] = facei;
+            found.add(own);
+        }
+    }
+    faces.resize(n);
+    box = found;
+}
+
+
+Foam::scalar Foam::fsi::closedSurface::leastDistanceSqr
+(
+    const closedSurface& other,
+    const scalar limit,
+    const bool any
+) const
+{
+    // Only faces in the part that both share can be near
+    labelList mine(identity(faces_->size()));
+    labelList others(identity(other.faces_->size()));
+    boundBox box(other.bounds_);
+    keepNear(mine, box, limit);
+    other.keepNear(others, box, limit);
+    keepNear(mine, box, limit);
+
+    scalar least = sqr(limit), reach = limit;
+    for (const label i : mine)
+    {
+        const boundBox own(faceBox(i));
+        for (const label j : others)
+        {
+            if (!near(own, other.faceBox(j), reach, nDims_))
+            {
+                continue;
+            }
+            const scalar d = simplexDistanceSqr
+            (
+                points_, (*faces_)[i], other.points_, (*other.faces_)[j]
+            );
+            if (d < least || d == 0)
+            {
+                least = d;
+                reach = sqrt(d);
+                if (any || d == 0)
+                {
+                    return least;
+                }
+            }
+        }
+    }
+    return least;
+}
+
+
+bool Foam::fsi::closedSurface::nested(const closedSurface& other) const
+{
+    return contains(other.points_[0]) || other.contains(points_[0]);
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+bool Foam::fsi::closedSurface::near
+(
+    const boundBox& a,
+    const boundBox& b,
+    const scalar gap,
+    const direction nDims
+)
+{
+    scalar apart = 0;
+    for (direction d = 0; d < nDims; ++d)
+    {
+        const scalar between =
+            max(a.min()[d] - b.max()[d], b.min()[d] - a.max()[d]);
+        apart += sqr(max(between, scalar(0)));
+    }
+    return apart <= sqr(gap);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::closedSurface::closedSurface
+(
+    const UList<point>& points,
+    const UList<surfaceFace>& faces
+)
+:
+    nDims_(faces.size() && faces[0][2] >= 0 ? 3 : 2),
+    points_(points),
+    faces_(std::make_shared<const List<surfaceFace>>(faces)),
+    bounds_(points_, false)
+{
+    measure();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsi::closedSurface Foam::fsi::closedSurface::moved
+(
+    const tensor& rotation,
+    const vector& translation
+) const
+{
+    closedSurface result;
+    result.nDims_ = nDims_;
+    result.faces_ = faces_;
+    result.volume_ = volume_;
+    result.outerRadius_ = outerRadius_;
+    result.innerRadius_ = innerRadius_;
+    result.centroid_ = (rotation & centroid_) + translation;
+    result.points_.resize(points_.size());
+    forAll(points_, i)
+    {
+        result.points_[i] = (rotation & points_[i]) + translation;
+    }
+    result.bounds_ = boundBox(result.points_, false);
+    return result;
+}
+
+
+bool Foam::fsi::closedSurface::reaches(const boundBox& box) const
+{
+    for (const point& p : points_)
+    {
+        bool within = true;
+        for (direction d = 0; d < nDims_; ++d)
+        {
+            within = within && p[d] > box.min()[d] && p[d] < box.max()[d];
+        }
+        if (within)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+bool Foam::fsi::closedSurface::inside
+(
+    const boundBox& box,
+    const scalar gap
+) const
+{
+    scalar least = GREAT;
+    for (direction d = 0; d < nDims_; ++d)
+    {
+        least = min(least, bounds_.min()[d] - box.min()[d]);
+        least = min(least, box.max()[d] - bounds_.max()[d]);
+    }
+    return least >= gap;
+}
+
+
+bool Foam::fsi::closedSurface::contains(const point& p) const
+{
+    return mag(windingNumber(points_, *faces_, p)) > 0.5;
+}
+
+
+bool Foam::fsi::closedSurface::closerThan
+(
+    const closedSurface& other,
+    const scalar gap
+) const
+{
+    if (!near(bounds_, other.bounds_, gap, nDims_))
+    {
+        return false;
+    }
+
+    // More than round-off, so that what follows decides when it is close
+    const scalar slack = 1e-9;
+    const scalar apart = centreDistance(other);
+    if (apart > (1 + slack)*(outerRadius_ + other.outerRadius_ + gap))
+    {
+        return false;
+    }
+    if
+    (
+        min(innerRadius_, other.innerRadius_) > 0
+     && apart < (1 - slack)*(innerRadius_ + other.innerRadius_ + gap)
+    )
+    {
+        return true;
+    }
+
+    const scalar least = leastDistanceSqr(other, gap, true);
+    return least < sqr(gap) || least == 0 || nested(other);
+}
+
+
+Foam::scalar Foam::fsi::closedSurface::distance
+(
+    const closedSurface& other,
+    const scalar limit
+) const
+{
+    if (!near(bounds_, other.bounds_, limit, nDims_))
+    {
+        return limit;
+    }
+    if (nested(other))
+    {
+        return 0;
+    }
+
+    // No more than that of two nodes
+    const vector solved(1, 1, nDims_ == 2 ? 0 : 1);
+    scalar nodesSqr = sqr(limit);
+    for (const point& p : points_)
+    {
+        for (const point& q : other.points_)
+        {
+            nodesSqr = min(nodesSqr, magSqr(cmptMultiply(solved, p - q)));
+        }
+    }
+    const scalar reach = (1 + 1e-9)*sqrt(nodesSqr);
+    return min(limit, sqrt(leastDistanceSqr(other, reach, false)));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stepMatrix.H"
+#include "elementViscosity.H"
+#include "shearTerm.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+typedef std::vector<Eigen::Triplet<double>> matrixEntries;
+
+//- Masses and springs
+static void addNodesAndSprings
+(
+    const shapeTemplate& shape,
+    const scalar dt,
+    matrixEntries& entries
+)
+{
+    forAll(shape.nodeMasses(), nodei)
+    {
+        entries.emplace_back(nodei, nodei, shape.nodeMasses()[nodei]);
+    }
+    const scalarField weights(sqr(dt)*shape.springWeights(dt));
+    forAll(shape.springs(), springi)
+    {
+        const label a = shape.springs()[springi].first();
+        const label b = shape.springs()[springi].second();
+        entries.emplace_back(a, a, weights[springi]);
+        entries.emplace_back(b, b, weights[springi]);
+        entries.emplace_back(a, b, -weights[springi]);
+        entries.emplace_back(b, a, -weights[springi]);
+    }
+}
+
+
+//- Volumes, shear and viscosity
+static void addElements
+(
+    const shapeTemplate& shape,
+    const scalar dt,
+    matrixEntries& entries
+)
+{
+    const volumeTerm& term = shape.elementTerm();
+    const scalar volumeWeight =
+        sqr(dt)*shape.admm().areaWeight*term.stiffness();
+    const scalar shearWeight =
+        shearTerm::bound(shape.nDims())*sqr(dt)*shape.shearModulus()
+      + dt*elementViscosity::boundRatio*shape.viscosity();
+    if (shape.nDims() == 3)
+    {
+        const strainDomains elements
+        (
+            shape.mesh(), 1, strainDomains::kind::element
+        );
+        elements.addLaplacian(volumeWeight + shearWeight, entries);
+        return;
+    }
+    term.volumeDomains().addLaplacian(volumeWeight, entries);
+    term.shearDomains().addLaplacian(shearWeight, entries);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Eigen::SparseMatrix<double> Foam::fsi::stepMatrix
+(
+    const shapeTemplate& shape,
+    const scalar dt
+)
+{
+    matrixEntries entries;
+    addNodesAndSprings(shape, dt, entries);
+    addElements(shape, dt, entries);
+    Eigen::SparseMatrix<double> matrix(shape.nNodes(), shape.nNodes());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+}
+
+
+// ************************************************************************* //

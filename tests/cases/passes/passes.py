@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Passes of a time step, which large steps need (doc/theory.md, (5.21)).
+
+    passes.py FOLDER
+
+The disc of tutorials/validation/timeStep.py. With eight passes a step of
+41 h^2/nu gives the mean velocity of steps an eighth as large within 1 %; with
+one pass it gives a suspension that is too thin. The passes end where they
+should, and say so in the log.
+"""
+
+import os
+import re
+import sys
+
+import fsiCase
+import results
+
+CELLS = 64
+LARGE, SMALL = 0.01, 0.00125
+
+
+def solve(folder, name, step, coupling=""):
+    """Mean velocity in the mean from 0.8 to 1 s, and the passes of each
+    step with the error of the last one."""
+    case = fsiCase.Case(
+        os.path.join(folder, name), cells=(CELLS, CELLS), viscosity=1,
+        cyclic="x", shapes="disc { shape { type circle; radius 0.25; } "
+                           "material { density 1; E 1e4; } }",
+        placements="all { type listed; shape disc; "
+                   "objects ({ centre (0.5 0.35 0); }); }",
+        properties="drivingForce { type acceleration; "
+                   "acceleration (12 0 0); } contact { range 1; } "
+                   f"coupling {{ type solidImplicit; {coupling} }}",
+        writeControl="adjustableRunTime",
+        deltaT=step, endTime=1, writeInterval=0.02).set_up()
+    log = case.run("fsiPisoFoam")
+    means = [sum(results.field(case.path, t, "U")[::3])/CELLS**2
+             for t in results.times(case.path) if float(t) > 0.79]
+    ends = (means[0] + means[-1])/2
+    found = re.findall(r"Passes: (\d+), splitting error: ([-+.0-9e]+)", log)
+    return ((sum(means) - ends)/(len(means) - 1),
+            [(int(n), float(error)) for n, error in found])
+
+
+def check_velocity(report, folder):
+    """Against small steps."""
+    small, _ = solve(folder, "small", SMALL, "passes 8;")
+    large, _ = solve(folder, "large", LARGE, "passes 8;")
+    one, passes = solve(folder, "one", LARGE, "passes 1;")
+    report.check("large steps have the velocity of small ones",
+                 abs(large/small - 1) < 0.01, f"{large}, not {small}")
+    report.check("one pass does not",
+                 one/small - 1 > 0.03 and {n for n, _ in passes} == {1},
+                 f"{one}, {small}")
+
+
+def check_end(report, folder):
+    """Tolerance and number of passes."""
+    for tolerance in (0.01, 0.001):
+        _, steps = solve(folder, f"to{tolerance}", LARGE,
+                         f"passes 40; passTolerance {tolerance};")
+        report.check(f"passes come to {tolerance} and no further",
+                     len(steps) == 100
+                     and all(error <= tolerance for _, error in steps)
+                     and any(error > tolerance/4 for _, error in steps)
+                     and all(n < 40 for n, _ in steps), f"{steps}")
+    _, steps = solve(folder, "three", LARGE, "passes 3; passTolerance 1e-9;")
+    report.check("no more passes than wanted",
+                 {n for n, _ in steps} == {3}, f"{steps}")
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    report.attempt("velocity", check_velocity, report, folder)
+    report.attempt("end of the passes", check_end, report, folder)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

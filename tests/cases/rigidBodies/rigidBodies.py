@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rigid bodies in the fluid.
+
+    rigidBodies.py FOLDER
+
+1. A rigid disc in a driven cavity follows the path of a stiff elastic one, and
+   turns as it does: their shapes are the same, and what the stiff one deforms
+   is E-6. Two things differ: the stiff one's masses are those of its nodes,
+   which makes its moment of inertia 2 % larger, and its pressure load is a mean
+   over four steps.
+2. A rigid body of a tenth of the fluid's density, and one that is not convex,
+   come to rest when they were pushed: without a driving force the energy can
+   only fall.
+3. A rigid body keeps its area and its perimeter to the digits of the table.
+4. It goes on bit by bit after a restart.
+"""
+
+import os
+import sys
+
+import fsiCase
+import results
+
+STEPS = 100
+CIRCLE = "shape { type circle; radius 0.12; }"
+STAR = "shape { type star; radius 0.12; amplitude 0.3; points 5; }"
+
+
+def cavity(folder, name, material, **changes):
+    """Runs a disc in a driven cavity."""
+    controls = {"deltaT": 0.01, "endTime": 0.01*STEPS,
+                "writeInterval": STEPS//2}
+    controls.update(changes)
+    case = fsiCase.Case(
+        os.path.join(folder, name), cells=(32, 32), viscosity=0.01,
+        walls={"top": "(1 0 0)"},
+        shapes=f"disc {{ {CIRCLE} material {{ {material} }} }}",
+        placements="a { type listed; shape disc; objects "
+                   "({ centre (0.45 0.72 0); }); }",
+        **controls).set_up()
+    case.run("fsiPisoFoam")
+    return case
+
+
+def same_path(report, folder):
+    """Check 1; returns the rigid disc's case."""
+    rigid = cavity(folder, "rigid", "type rigid; density 1.5;")
+    stiff = cavity(folder, "stiff", "density 1.5; E 1e6;")
+    paths = [results.table(case.path, "objects.csv")
+             for case in (rigid, stiff)]
+    report.check("all steps", len(paths[0]) == len(paths[1]) == STEPS,
+                 f"{len(paths[0])} and {len(paths[1])}")
+    speed = max(abs(row["velocityX"]) for row in paths[1])
+    spin = max(abs(row["angularVelocityZ"]) for row in paths[1])
+    report.check("it moves and turns", speed > 0.01 and spin > 0.05,
+                 f"{speed}, {spin}")
+    for column, scale in (("velocityX", speed), ("velocityY", speed),
+                          ("angularVelocityZ", spin)):
+        worst = max(abs(a[column] - b[column])
+                    for a, b in zip(*paths))/scale
+        print(f"    {column}: {worst:.2e} of the largest apart")
+        report.check(f"{column} of rigid and stiff", worst < 0.01,
+                     f"{worst} apart")
+    for column in ("area", "perimeter"):
+        values = [row[column] for row in paths[0]]
+        change = (max(values) - min(values))/values[0]
+        report.check(f"{column} is kept", change < 1e-12, f"{change}")
+    return rigid
+
+
+def restarted(report, folder, whole):
+    """Check 4: the second half again."""
+    case = cavity(folder, "restart", "type rigid; density 1.5;",
+                  endTime=0.01*STEPS/2)
+    case.control(endTime=0.01*STEPS, startFrom="latestTime")
+    case.run("fsiPisoFoam")
+    last = [results.table(c.path, "objects.csv")[-1] for c in (whole, case)]
+    report.check("restart", last[0] == last[1], f"{last[0]} and {last[1]}")
+
+
+def rests(report, folder, name, shape, material):
+    """Check 2."""
+    case = fsiCase.Case(
+        os.path.join(folder, name), cells=(30, 30), viscosity=0.002,
+        cyclic="xy",
+        shapes=f"body {{ {shape} material {{ {material} }} }}",
+        placements="a { type listed; shape body; objects ({ centre "
+                   "(0.5 0.5 0); velocity (0.3 0.1 0); angularVelocity "
+                   "(0 0 3); }); }",
+        deltaT=0.01, endTime=0.01*STEPS, writeInterval=STEPS).set_up()
+    case.run("fsiPisoFoam")
+    energy = [row["kineticEnergy"]
+              for row in results.table(case.path, "global.csv")]
+    half = max(energy[STEPS//2:])
+    print(f"    {name}: {half/energy[0]:.3g} of the first step's energy")
+    report.check(f"{name} comes to rest",
+                 len(energy) == STEPS and 0 < half < 0.5*energy[0],
+                 f"{half} of {energy[0]} in the second half")
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    whole = report.attempt("rigid and stiff", same_path, report, folder)
+    if whole is not None:
+        report.attempt("restart", restarted, report, folder, whole)
+    for name, shape, density in (("light", CIRCLE, 0.1), ("star", STAR, 0.3)):
+        report.attempt(name, rests, report, folder, name, shape,
+                       f"type rigid; density {density};")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
