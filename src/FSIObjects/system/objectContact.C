@@ -8,7 +8,8 @@
 Foam::scalar Foam::fsi::objectContact::leastModulus(const fsiSystem& system)
 {
     const PtrList<bodyGroup>& groups = system.objects.groups();
-    const scalar speed = system.grid.spacing()/system.deltaT();
+    // A step of zero is refused later, with its entry
+    const scalar speed = system.grid.spacing()/max(system.deltaT(), SMALL);
     scalar least = GREAT, leastFree = GREAT;
     for (const bodyGroup& group : groups)
     {
