@@ -114,7 +114,7 @@ def soft_sphere():
     """Deformation and angle of the steady ellipsoid."""
     for (capillary, deformation, angle), end in zip(ROSCOE, (2, 4, 8)):
         for cells in (4, 6, 8):
-            rows, minutes = soft(capillary, cells, end, 0.06)
+            rows, minutes = soft(capillary, cells, end, 0.03)
             row = rows[-1]
             what = f"neo-Hookean sphere in shear, Ca {capillary}"
             checked = cells >= 8
