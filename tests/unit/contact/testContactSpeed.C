@@ -142,13 +142,4 @@ TEST(ContactSpeed, isLinearInTheNumberOfSpheres)
 }
 
 
-TEST(ContactSpeed, longThreeHundredFineSpheres)
-{
-    const auto tree = seconds(300, 4);
-    const auto cells = seconds(300, 4, "search { type surfaceCells; }");
-    EXPECT_LT(tree.first, 0.5*cells.first);
-    seconds(300, 4, "range 1;");
-}
-
-
 // ************************************************************************* //
