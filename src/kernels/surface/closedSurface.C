@@ -263,7 +263,8 @@ bool Foam::fsi::closedSurface::closerThan
         return true;
     }
 
-    const scalar least = leastDistanceSqr(other, gap, true);
+    // A limit of zero would be taken for a distance of zero
+    const scalar least = leastDistanceSqr(other, max(gap, 1e-30), true);
     return least < sqr(gap) || least == 0 || nested(other);
 }
 

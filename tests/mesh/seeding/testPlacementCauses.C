@@ -41,7 +41,7 @@ TEST(Placement, refusesAbsurdCounts)
     expectPieces
     (
         errorOf("type lattice; shape disc; counts (100000 100000 1);"),
-        {"'counts'", "placement a", "10000000000 objects", "no room"}
+        {"'counts'", "placement a", "objects of shape disc", "no room"}
     );
     expectPieces
     (
