@@ -263,7 +263,6 @@ bool Foam::fsi::closedSurface::closerThan
         return true;
     }
 
-    // A limit of zero would be taken for a distance of zero
     const scalar least = leastDistanceSqr(other, max(gap, 1e-30), true);
     return least < sqr(gap) || least == 0 || nested(other);
 }
