@@ -244,6 +244,13 @@ void Foam::fsi::solidImplicit::end
     system_.walls.transpose(p.primitiveField(), nodal);
     hydrodynamicForce_ =
         linkForce_ + gradientForce_ + system_.fluidDensity*nodal;
+
+    groupNodal links;
+    system_.objects.layout().toGroups(linkForce_, links);
+    forAll(links, groupi)
+    {
+        system_.objects.groups()[groupi].keepLinkLoad(links[groupi]);
+    }
 }
 
 

@@ -20,10 +20,9 @@ Foam::scalar Foam::fsi::elasticBodies::addTerms
 void Foam::fsi::elasticBodies::resizeState(const label nCopies)
 {
     deformableBodies::resizeState(nCopies);
-    meanLoad_.conservativeResize
-    (
-        shape().nBoundaryNodes(), shape().nDims()*nCopies
-    );
+    const label nRows = shape().nBoundaryNodes();
+    meanLoad_.conservativeResize(nRows, shape().nDims()*nCopies);
+    linkLoad_.conservativeResize(nRows, shape().nDims()*nCopies);
 }
 
 
@@ -31,6 +30,7 @@ void Foam::fsi::elasticBodies::startState(const label copyi)
 {
     deformableBodies::startState(copyi);
     ofCopy(meanLoad_, copyi).setZero();
+    ofCopy(linkLoad_, copyi).setZero();
 }
 
 
@@ -38,12 +38,14 @@ void Foam::fsi::elasticBodies::copyState(const label from, const label to)
 {
     deformableBodies::copyState(from, to);
     ofCopy(meanLoad_, to) = ofCopy(meanLoad_, from);
+    ofCopy(linkLoad_, to) = ofCopy(linkLoad_, from);
 }
 
 
 void Foam::fsi::elasticBodies::writeState(Ostream& os) const
 {
     writeMatrix(os, "meanLoad", meanLoad_);
+    writeMatrix(os, "linkLoad", linkLoad_);
     deformableBodies::writeState(os);
 }
 
@@ -55,6 +57,11 @@ void Foam::fsi::elasticBodies::readState(const dictionary& dict)
     {
         readMatrix(dict, "meanLoad", meanLoad_);
     }
+    linkLoad_.setZero();
+    if (dict.found("linkLoad"))
+    {
+        readMatrix(dict, "linkLoad", linkLoad_);
+    }
     deformableBodies::readState(dict);
 }
 
@@ -65,6 +72,7 @@ Foam::fsi::elasticBodies::elasticBodies(const shapeTemplate& shape)
 :
     deformableBodies(shape),
     meanLoad_(shape.nBoundaryNodes(), 0),
+    linkLoad_(shape.nBoundaryNodes(), 0),
     solver_(shape)
 {}
 
@@ -75,12 +83,18 @@ Eigen::MatrixXd Foam::fsi::elasticBodies::splitLoad(Eigen::MatrixXd& load)
 {
     // A quarter: stable where the response is up to 8 times as stiff
     const auto boundary = load.topRows(meanLoad_.rows());
-    meanLoad_ += 0.25*(boundary - meanLoad_);
+    meanLoad_ += 0.25*(boundary + linkLoad_ - meanLoad_);
 
     Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(load.rows(), load.cols());
     rest.topRows(meanLoad_.rows()) = boundary - meanLoad_;
     load -= rest;
     return rest;
+}
+
+
+void Foam::fsi::elasticBodies::keepLinkLoad(const Eigen::MatrixXd& load)
+{
+    linkLoad_ = load.topRows(linkLoad_.rows());
 }
 
 
