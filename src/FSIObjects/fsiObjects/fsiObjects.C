@@ -3,6 +3,7 @@
 #include "fsiObjects.H"
 #include "fillFromNeighbours.H"
 #include "dictionaryCheck.H"
+#include "motionCheck.H"
 #include "objectContact.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -102,6 +103,7 @@ Foam::fsi::fsiObjects::fsiObjects
         << system_.objects.nNodes() << " nodes, coupling "
         << coupling_->type() << ", wall " << system_.wall->type()
         << ", level set " << system_.levelSet->type() << nl << endl;
+    checkMotion();
 }
 
 
@@ -138,28 +140,9 @@ void Foam::fsi::fsiObjects::fillNewCells
 
 void Foam::fsi::fsiObjects::checkMotion() const
 {
-    const vector span(system_.grid.bounds().span());
-    const scalar limit = 0.5*min(span.x(), span.y());
-    const surfaceSet& surfaces = system_.objects.surfaces();
-    forAll(surfaces.velocities(), nodei)
-    {
-        const scalar way =
-            cmptMax(cmptMag(surfaces.velocities()[nodei]))*system_.deltaT();
-        if (!(way <= limit))
-        {
-            const label objecti = surfaces.pointObject()[nodei];
-            FatalErrorInFunction
-                << "Object " << system_.objects.objectId(objecti)
-                << " moves " << way/system_.grid.spacing()
-                << " cells in one step, more than half of the domain, at time "
-                << mesh_.time().timeName() << nl
-                << "The run has lost its stability: take a smaller deltaT or "
-                << "adjustTimeStep with maxCo; give very soft bodies a "
-                << "viscosity (material), and with coupling weak take heavier "
-                << "or stiffer objects (doc/theory.md, section 5.3)"
-                << exit(FatalError);
-        }
-    }
+    const motionCheck check(system_.objects, mesh_.time());
+    check.checkSpeeds(system_.grid.bounds().span(), system_.grid.spacing());
+    check.checkElements();
 }
 
 

@@ -3,6 +3,7 @@
 #include "tetrahedralisation.H"
 #include "boundBox.H"
 #include "DynamicList.H"
+#include "noTraps.H"
 #include "unitConversion.H"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
@@ -245,7 +246,7 @@ Foam::fsi::shapeMesh Foam::fsi::tetrahedralisation::mesh
 )
 {
     namespace parameters = CGAL::parameters;
-
+    const noTraps whileMeshing;
     // Some of CGAL's functions take numbers from here
     CGAL::get_default_random() = CGAL::Random(0);
     CGAL::Random random(0);

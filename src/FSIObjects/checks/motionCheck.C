@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "motionCheck.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::fsi::motionCheck::nInverted
+(
+    const bodyGroup& group,
+    const label copyi
+)
+{
+    const shapeTemplate& shape = group.shape();
+    const auto corner = [&](const label nodei)
+    {
+        return vector
+        (
+            group.positions()(nodei, 3*copyi),
+            group.positions()(nodei, 3*copyi + 1),
+            group.positions()(nodei, 3*copyi + 2)
+        );
+    };
+    scalarField volumes(shape.nNodes(), Zero);
+    boolList used(shape.nNodes(), false);
+    for (const bodyElement& element : shape.elements())
+    {
+        const vector a(corner(element[0]));
+        const scalar volume =
+            ((corner(element[1]) - a)^(corner(element[2]) - a))
+          & (corner(element[3]) - a);
+        for (const label nodei : element)
+        {
+            volumes[nodei] += volume;
+            used[nodei] = true;
+        }
+    }
+    label number = 0;
+    forAll(volumes, nodei)
+    {
+        // A volume that is no number is none
+        number += used[nodei] && !(volumes[nodei] > 0);
+    }
+    return number;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::motionCheck::checkSpeeds
+(
+    const vector& box,
+    const scalar spacing
+) const
+{
+    const surfaceSet& surfaces = objects_.surfaces();
+    scalar shortest = min(box.x(), box.y());
+    if (objects_.nDims() == 3)
+    {
+        shortest = min(shortest, box.z());
+    }
+    forAll(surfaces.velocities(), nodei)
+    {
+        const scalar way =
+            cmptMax(cmptMag(surfaces.velocities()[nodei]))
+           *time_.deltaTValue();
+        if (!(way <= 0.5*shortest))
+        {
+            const label objecti = surfaces.pointObject()[nodei];
+            FatalErrorInFunction
+                << "Object " << objects_.objectId(objecti)
+                << " moves " << way/spacing
+                << " cells in one step, more than half of the domain, at time "
+                << time_.timeName() << nl
+                << "The run has lost its stability: take a smaller deltaT or "
+                << "adjustTimeStep with maxCo; give very soft bodies a "
+                << "viscosity (material), and with coupling weak take heavier "
+                << "or stiffer objects (doc/theory.md, section 5.3)"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::fsi::motionCheck::checkElements() const
+{
+    if (objects_.nDims() == 2)
+    {
+        return;
+    }
+    for (label objecti = 0; objecti < objects_.size(); ++objecti)
+    {
+        const bodyGroup& group =
+            objects_.groups()[objects_.objectGroup(objecti)];
+        const label number = nInverted(group, objects_.objectCopy(objecti));
+        if (number > 0)
+        {
+            const word& name = group.shape().name();
+            FatalErrorInFunction
+                << "The tetrahedra at " << number << " nodes of object "
+                << objects_.objectId(objecti) << " are inverted at time "
+                << time_.timeName() << ": the body, of shape "
+                << time_.path()/time_.caseConstant()/population::folder/name
+                << ", has turned inside out there" << nl
+                << "Take a smaller deltaT or adjustTimeStep with maxCo, a "
+                << "larger E or a viscosity (material), or a finer mesh; the "
+                << "state of the last written time is in uniform/"
+                << population::folder/name
+                << exit(FatalError);
+        }
+    }
+}
+
+
+// ************************************************************************* //
