@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """etc/render makes pictures, a strip and animations of a short run, with as
 many pictures as were asked for; objects across a seam stand on both sides.
+etc/plot draws the tables of all runs of a case, and any column.
 
     pictures.py FOLDER
 """
@@ -16,8 +17,9 @@ import sys
 
 import fsiCase
 
-RENDER = os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                      "../../../etc/render")
+ETC = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                   "../../../etc")
+RENDER = os.path.join(ETC, "render")
 MEMBRANES = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                          "../../../tutorials/membranes")
 # Two times are written
@@ -88,6 +90,57 @@ def check_animations(report, case):
                  status != 0 and ".gif or .ogv" in text, text)
 
 
+def plot(case, *options):
+    """Runs etc/plot; status, names of pictures without folders, output."""
+    done = subprocess.run([os.path.join(ETC, "plot"), case, *options],
+                          capture_output=True, text=True, check=False)
+    pictures = done.stdout.split()
+    sound = all(min(png_size(contents(p))) > 300 for p in pictures)
+    return (done.returncode if sound else "not a picture",
+            [os.path.basename(p) for p in pictures],
+            done.stdout + done.stderr)
+
+
+def check_plots(report, case):
+    """Charts of the tables."""
+    status, names, text = plot(case)
+    report.check("a chart of each kind that the run has",
+                 status == 0 and {"energies.png", "speeds.png",
+                                  "timeStep.png", "whereTheTimeGoes.png"}
+                 <= set(names), text)
+    status, names, text = plot(case, "-page", os.path.join(case, "p.png"))
+    report.check("all on one page", (status, names) == (0, ["p.png"]), text)
+    status, names, text = plot(case, "-column", "D,velocity,contacts,maxSpeed")
+    report.check("columns of objects.csv and global.csv",
+                 status == 0 and names == ["deformation.png", "velocity.png",
+                                           "contacts.png", "maxSpeed.png"],
+                 text)
+    status, names, text = plot(case, "-column", "colour")
+    report.check("a column that there is not is refused, with those there are",
+                 status == 1 and "colour" in text and "forceX" in text
+                 and "elasticEnergy" in text, text)
+    status, names, text = plot(os.path.dirname(case))
+    report.check("a folder without tables is refused",
+                 status == 1 and "global.csv" in text, text)
+
+
+def check_tables(report, folder):
+    """The lines of two runs that share some time, the last one broken off."""
+    for start, lines in (("0", "0.1,1\n0.2,2\n0.3,3\n"),
+                         ("0.2", "0.3,30\n0.4,inf\n0.5")):
+        path = os.path.join(folder, "postProcessing/fsiObjects", start)
+        os.makedirs(path)
+        with open(os.path.join(path, "global.csv"), "w",
+                  encoding="ascii") as stream:
+            stream.write("time,gap\n" + lines)
+    sys.path.insert(0, os.path.join(ETC, "pictures"))
+    import tables  # of this project's folder, known now
+    found = [(r["time"], r["gap"]) for r in tables.rows(folder, "global.csv")]
+    report.check("where two runs share a time the later one counts",
+                 found == [(0.1, 1), (0.2, 2), (0.3, 30),
+                           (0.4, float("inf"))], found)
+
+
 def pixels(path, places):
     """Colours of a picture, by the Python that etc/render runs on."""
     code = ("import sys; from PIL import Image; "
@@ -149,6 +202,8 @@ def main(folder):
     fsiCase.run(case, "fsiPisoFoam")
     check_pictures(report, case)
     check_animations(report, case)
+    check_plots(report, case)
+    check_tables(report, os.path.join(folder, "tables"))
 
     case = os.path.join(folder, "box")
     shear_box(case)
