@@ -58,6 +58,14 @@ class Scene(Picture):
         light.SetSpecular(0.15)
         self.add_inside(actor)
 
+    def add_walls(self, walls):
+        """What reaches out of the box on both sides, so that one sees what it
+        encloses."""
+        actor = actor_of(self.smooth(walls), (0.5, 0.5, 0.5))
+        actor.GetProperty().LightingOn()
+        actor.GetProperty().SetOpacity(0.2)
+        self.add_inside(actor)
+
     @staticmethod
     def smooth(surfaces):
         """Triangles with the normals of a smooth surface at their corners."""
