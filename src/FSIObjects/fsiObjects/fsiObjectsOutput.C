@@ -120,6 +120,7 @@ void Foam::fsi::fsiObjects::write()
 
     writer_.writeShapes(mesh_.time().value(), objects);
     objects.write();
+    system_.contacts->write();
     boundaries_.write();
     system_.driving->write();
 }

@@ -166,7 +166,8 @@ void Foam::fsi::seeding::checkContacts() const
         WarningInFunction
             << nTouching << " objects are nearer to another than the range of"
             << " contact, " << domain_.contactRange
-            << " m: they push each other from the start." << nl
+            << " m: their range is the gap at first, and laws that attract"
+            << " push them from the start." << nl
             << "    The first is " << space_->description(first).c_str() << nl
             << "    with the gap " << gap << " m to "
             << space_->description(other).c_str() << nl

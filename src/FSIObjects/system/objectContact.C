@@ -2,6 +2,7 @@
 
 #include "objectContact.H"
 #include "sumOverRanks.H"
+#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -108,6 +109,40 @@ void Foam::fsi::objectContact::setNodes()
 }
 
 
+void Foam::fsi::objectContact::setRanges()
+{
+    const population& objects = system_.objects;
+    scalarField& ranges = contact_.ranges();
+    ranges.setSize(objects.size());
+    forAll(ranges, objecti)
+    {
+        const label id = objects.objectId(objecti);
+        ranges[objecti] =
+            !objects.movesFreely(objecti) ? contact_.range()
+          : id >= nextObjectId_ ? 0
+          : shortRanges_.lookup(id, contact_.range());
+    }
+}
+
+
+void Foam::fsi::objectContact::keepRanges()
+{
+    const scalarField& ranges = contact_.ranges();
+    shortRanges_.clear();
+    forAll(ranges, objecti)
+    {
+        if (ranges[objecti] < contact_.range())
+        {
+            shortRanges_.insert
+            (
+                system_.objects.objectId(objecti), ranges[objecti]
+            );
+        }
+    }
+    nextObjectId_ = system_.objects.nextObjectId();
+}
+
+
 void Foam::fsi::objectContact::setBodies()
 {
     setNodes();
@@ -156,8 +191,13 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
         system.sides.images()
     ),
     walls_(system.sides.walls()),
+    nextObjectId_(0),
     nLimited_(0)
-{}
+{
+    const dictionary state(readState(system.grid.mesh().time(), "fsiContact"));
+    state.readIfPresent("nextObjectId", nextObjectId_);
+    state.readIfPresent("ranges", shortRanges_);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -165,6 +205,7 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
 void Foam::fsi::objectContact::calculate(const vectorField& velocities)
 {
     setBodies();
+    setRanges();
     prepareSearch();
     contact_.calculate
     (
@@ -176,17 +217,20 @@ void Foam::fsi::objectContact::calculate(const vectorField& velocities)
         system_.deltaT(),
         force_
     );
+    keepRanges();
 }
 
 
 void Foam::fsi::objectContact::measure()
 {
     setNodes();
+    setRanges();
     prepareSearch();
     contact_.measure
     (
         system_.objects.surfaces(), bodies_, walls_, axisPoints_
     );
+    keepRanges();
 }
 
 
@@ -212,6 +256,21 @@ void Foam::fsi::objectContact::addForce(fsiSystem::groupNodal& force)
             force[groupi] += contactForce[groupi];
         }
     }
+}
+
+
+void Foam::fsi::objectContact::write() const
+{
+    const Time& time = system_.grid.mesh().time();
+    writeFile
+    (
+        time, time.timeName(), "uniform", "fsiContact", IOstream::ASCII,
+        [&](Ostream& os)
+        {
+            os.writeEntry("nextObjectId", nextObjectId_);
+            os.writeEntry("ranges", shortRanges_);
+        }
+    );
 }
 
 

@@ -56,7 +56,8 @@ Foam::fsi::contact::contact
     defence_
     (
         readPositive(dict, "minimumGap", 0.1)*spacing, margin_, nDims, images_
-    )
+    ),
+    ranges_(scales_.range, readPositive(dict, "minimumGap", 0.1)*spacing)
 {
     if (film_->active() && !law_->takesLubrication())
     {
@@ -190,6 +191,10 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
         setStretches(surfaces, bodies);
         searched_ = surfaces.points();
     }
+    if (law_->startsAtRest())
+    {
+        ranges_.update(surfaces, found_.pairs);
+    }
     count(surfaces);
     statistics_.potentialEnergy =
         law_->potentialEnergy
@@ -216,9 +221,12 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
+    const contactPairs acting(ranges_.acting(surfaces, found_, margin_));
     law_->addForces
     (
-        problem(surfaces, velocities, bodies, dt), force, statistics_
+        {surfaces, velocities, bodies, acting, film_(), scales_.range, dt},
+        force,
+        statistics_
     );
     return statistics_;
 }

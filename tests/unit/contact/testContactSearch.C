@@ -159,30 +159,7 @@ TEST(ContactSearch, medialAxis)
         );
     }
 
-    contactPairs found;
-    searchOf("type medialAxis;")->find
-    (
-        surfaces, UList<contactWall>(), axis, 0.4, found
-    );
-    EXPECT_GT(found.nodePairs.size(), 10);
-    for (const labelPair& p : found.nodePairs)
-    {
-        EXPECT_EQ(surfaces.pointObject()[p.first()], 0);
-        EXPECT_EQ(surfaces.pointObject()[p.second()], 1);
-        EXPECT_LT(mag(surfaces.points()[p.first()]), 0.51);
-    }
-
-    // The nearest pairs are the exact ones
-    scalar smallest[2] = {GREAT, GREAT};
-    for (const contactPair& p : found.pairs)
-    {
-        smallest[0] = min(smallest[0], p.gap);
-    }
-    for (const contactPair& p : bruteForce(surfaces, 0.4).pairs)
-    {
-        smallest[1] = min(smallest[1], p.gap);
-    }
-    EXPECT_EQ(smallest[0], smallest[1]);
+    contactPairs found(expectAxisPairs(surfaces, axis, 10, 0.51));
 
     axis[0].object[1] = 2;
     EXPECT_THROW

@@ -104,18 +104,13 @@ struct manySpheres
 
 
 //- Least seconds of some steps
-std::pair<scalar, scalar> seconds
-(
-    const label n,
-    const label nCuts,
-    const std::string& text = ""
-)
+std::pair<scalar, scalar> seconds(const label n, const label nCuts)
 {
     // Cells a third longer than the nodes are apart
     const scalar h = Foam::sqrt(24.0/Foam::pow(4.0, nCuts + 1));
     manySpheres world(n, nCuts);
     std::pair<scalar, scalar> least(GREAT, GREAT);
-    contact law(textDict(text), 3, h, 1);
+    contact law(dictionary(), 3, h, 1);
     for (label i = 0; i < 3; ++i)
     {
         const scalar dt = 0.1*h;

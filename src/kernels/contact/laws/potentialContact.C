@@ -76,7 +76,7 @@ Foam::scalar Foam::fsi::potentialContact::endGap
 ) const
 {
     const scalar g0 = pair.gap;
-    const scalar psi0 = pair.film.psi(g0);
+    const scalar psi0 = pair.psi(g0);
     const scalar least = drag > 0 ? min(g0, coast) : coast;
 
     // The residual g - coast - factor*mean + drag*(psi - psi0) is concave and
@@ -92,9 +92,9 @@ Foam::scalar Foam::fsi::potentialContact::endGap
         scalar slope;
         const scalar mean = meanRepulsion(g0, g, slope);
         const scalar residual =
-            g - coast - factor*mean + drag*(pair.film.psi(g) - psi0);
+            g - coast - factor*mean + drag*(pair.psi(g) - psi0);
         const scalar step =
-            residual/(1 - factor*slope + drag*pair.film.psiSlope(g));
+            residual/(1 - factor*slope + drag*pair.psiSlope(g));
         const scalar old = g;
         g = max(g - step, least);
         // Quadratic: the error is far smaller than the last step
@@ -128,7 +128,7 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
     if
     (
         end > gap
-     && pair.resistance*(pair.film.psi(end) - pair.film.psi(gap)) > hold
+     && pair.resistance*(pair.psi(end) - pair.psi(gap)) > hold
     )
     {
         end = endGap(pair, coast - perPressure*hold, factor, 0);
@@ -146,9 +146,9 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
     // the one that is less sensitive to an error of the gap
     scalar slope;
     const scalar mean = push*meanRepulsion(gap, end, slope);
-    if (drag*pair.film.psiSlope(end) - push*factor*slope < 1 && end != gap)
+    if (drag*pair.psiSlope(end) - push*factor*slope < 1 && end != gap)
     {
-        const scalar film = pair.film.psi(end) - pair.film.psi(gap);
+        const scalar film = pair.psi(end) - pair.psi(gap);
         return pair.area*(pair.dt*(mean - pull) - pair.resistance*film);
     }
     return (end - straight)/(pair.dt*pair.compliance);

@@ -38,7 +38,7 @@ Foam::scalar Foam::fsi::contactSolver::relax
         contactState
         {
             problem.area(pair)/c, c*pair.gap, c*u, sqr(c)*compliance,
-            problem.dt, problem.film, resistances_[pairi], c*endGaps_[pairi]
+            problem.dt, problem.film, resistances_[pairi], c*endGaps_[pairi], c
         }
     );
     endGaps_[pairi] = pair.gap + problem.dt*(u + compliance*impulse);

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Bodies that start within the range of contact
+
+#include "rigidSpheres.H"
+
+namespace
+{
+
+const scalar h = 0.25;
+
+//- Eight spheres of radius 1 in a lattice, a gap apart along x, y and z, that
+//  move towards the middle
+rigidBodies lattice(const scalar gap, const scalar speed)
+{
+    rigidBodies world(3);
+    for (label i = 0; i < 8; ++i)
+    {
+        const vector side(i % 2 ? 1 : -1, i/2 % 2 ? 1 : -1, i/4 ? 1 : -1);
+        add
+        (
+            world, sphereAtOrigin(1, 2), (1 + 0.5*gap)*side,
+            -speed*side
+        );
+    }
+    return world;
+}
+
+
+contact contactOf(const std::string& text)
+{
+    return contact(textDict(text), 3, h, 1000);
+}
+
+
+//- Run from a start at which no ranges are known
+void run
+(
+    rigidBodies& world,
+    contact& law,
+    const scalar dt,
+    const label nSteps,
+    scalar& energy
+)
+{
+    for (label i = 0; i < nSteps; ++i)
+    {
+        world.advance(law, dt);
+        energy = max
+        (
+            energy, world.kineticEnergy() + world.statistics.potentialEnergy
+        );
+    }
+}
+
+
+scalar largestSpeed(const rigidBodies& world)
+{
+    scalar speed = 0;
+    for (const rigidBodies::solid& s : world.solids)
+    {
+        speed = max(speed, mag(s.velocity));
+    }
+    return speed;
+}
+
+} // End anonymous namespace
+
+
+TEST(ContactRanges, startWithinTheRangeIsARest)
+{
+    for (const scalar cells : {0.3, 1.0, 2.5})
+    {
+        rigidBodies world(lattice(cells*h, 0));
+        contact law(contactOf(""));
+        law.ranges() = scalarField(8, Zero);
+        scalar energy = 0;
+        run(world, law, 0.1, 20, energy);
+        EXPECT_LT(largestSpeed(world), 1e-12);
+        EXPECT_LT(energy, 1e-12);
+        for (const scalar range : law.ranges())
+        {
+            EXPECT_NEAR(range, cells*h, 0.1*h);
+        }
+    }
+}
+
+
+TEST(ContactRanges, fullRangesFireThemOff)
+{
+    rigidBodies world(lattice(0.3*h, 0));
+    contact law(contactOf(""));
+    law.ranges() = scalarField(8, law.range());
+    scalar energy = 0;
+    run(world, law, 0.1, 2, energy);
+    EXPECT_GT(largestSpeed(world), 1);
+}
+
+
+TEST(ContactRanges, attractingLawsKeepTheirs)
+{
+    rigidBodies world(lattice(0.3*h, 0));
+    contact law(contactOf("law { type Morse; adhesionEnergy 1; }"));
+    law.ranges() = scalarField(8, Zero);
+    scalar energy = 0;
+    run(world, law, 0.001, 1, energy);
+    EXPECT_GT(largestSpeed(world), 1e-3);
+}
+
+
+TEST(ContactRanges, growWithoutEnergyWhenBodiesPart)
+{
+    const scalar speed = 0.3;
+    rigidBodies world(lattice(0.5*h, speed));
+    contact law(contactOf(""));
+    law.ranges() = scalarField(8, Zero);
+    world.solids[0].velocity *= 0.5;
+    const vector momentum(world.momentum());
+    const scalar start = world.kineticEnergy();
+    scalar energy = 0;
+    scalar gap = GREAT;
+    for (label i = 0; i < 200; ++i)
+    {
+        run(world, law, 0.05, 1, energy);
+        gap = min(gap, world.statistics.smallestGap);
+        EXPECT_LT(mag(world.momentum() - momentum), 1e-10);
+    }
+    EXPECT_LT(energy, 1.001*start);
+    EXPECT_GT(gap, 0);
+    EXPECT_LT(gap, 0.5*h);
+    // Apart again, so that the next to come meets the full range
+    for (const scalar range : law.ranges())
+    {
+        EXPECT_EQ(range, law.range());
+    }
+}
+
+
+TEST(ContactRanges, walls)
+{
+    rigidBodies world(3);
+    add(world, sphereAtOrigin(1, 2), {1 + 0.4*h, 0, 0}, Zero);
+    world.walls.append(contactWall(Zero, {1, 0, 0}));
+    contact law(contactOf(""));
+    law.ranges() = scalarField(1, Zero);
+    scalar energy = 0;
+    run(world, law, 0.1, 5, energy);
+    EXPECT_LT(largestSpeed(world), 1e-12);
+}
+
+
+// ************************************************************************* //
