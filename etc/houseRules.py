@@ -20,6 +20,7 @@ MAX_CLASS = 600
 RANKS = (
     "src/fastPoisson/lattice/",
     "src/FSIObjects/cartesianMesh/",
+    "src/FSIObjects/compatibility/",
     "src/FSIObjects/output/",
     "src/FSIObjects/population/populationIO.C",
     "src/FSIObjects/population/sharedPrediction.C",

@@ -36,7 +36,9 @@ Description
 
 #include "fvCFD.H"
 #include "fvOptions.H"
-#include "fsiObjects.H"
+#include "fluidStep.H"
+#include "openfoamVersion.H"
+#include "optionSources.H"
 #include "timeStep.H"
 #include <malloc.h>
 
@@ -57,41 +59,24 @@ int main(int argc, char *argv[])
     #include "createFields.H"
     #include "createFvOptions.H"
 
-    objects.setSolidVelocity(U);
+    fsi::fluidStep step(objects, p, U, phi, nu.value());
+    const fsi::optionSources sources(fvOptions);
     fsi::timeStep timeStep(runTime);
 
     Info<< "Starting time loop\n" << endl;
 
     while (runTime.run())
     {
-        timeStep.adjust(phi, objects);
-        ++runTime;
-        Info<< "Time = " << runTime.timeName() << endl;
-
-        objects.startStep(p, U);
-        if (objects.coupling().hasFluid())
+        const scalar deltaT = timeStep.next(phi, objects);
+        if (timeStep.adjusts())
         {
-            const fsi::stepTimer::section fluid
-            (
-                objects.timer(),
-                fsi::stepTimer::part::fluid
-            );
-            do
-            {
-                #include "UEqn.H"
-                #include "pEqn.H"
-            }
-            while (objects.coupling().again(p, U));
-
-            objects.system().fluid.storeFaceVelocity
-            (
-                phi,
-                U,
-                objects.coupling().wallVelocity(),
-                nu.value()
-            );
+            runTime.setDeltaT(deltaT);
+            Info<< "deltaT = " << runTime.deltaTValue() << endl;
         }
-        objects.finishStep(p, U);
+        ++runTime;
+        Info<< "Time = " << fsi::nameOf(runTime) << endl;
+
+        step.advance(sources);
 
         objects.write();
         timeStep.write();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "timeStep.H"
+#include "openfoamVersion.H"
 #include "fsiObjects.H"
 #include "dictionaryCheck.H"
 #include "writtenDictionary.H"
@@ -47,7 +48,7 @@ static scalar largestRate(const surfaceScalarField& phi)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::timeStep::timeStep(Time& time)
+Foam::fsi::timeStep::timeStep(const Time& time)
 :
     time_(time),
     level_(-1),
@@ -130,7 +131,7 @@ Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
 }
 
 
-void Foam::fsi::timeStep::adjust
+Foam::scalar Foam::fsi::timeStep::next
 (
     const surfaceScalarField& phi,
     const fsiObjects& objects
@@ -151,16 +152,16 @@ void Foam::fsi::timeStep::adjust
             << "    Take a smaller deltaT, or adjustTimeStep yes with maxCo"
             << nl << endl;
     }
-    if (adjust_)
+    if (!adjust_)
     {
-        scalar limit = maxCo_*dt/max(max(fluid, solid), SMALL);
-        if (maxDiffusion_ > 0)
-        {
-            limit = min(limit, maxDiffusion_/objects.diffusionRate());
-        }
-        time_.setDeltaT(choose(limit));
-        Info<< "deltaT = " << time_.deltaTValue() << endl;
+        return dt;
     }
+    scalar limit = maxCo_*dt/max(max(fluid, solid), SMALL);
+    if (maxDiffusion_ > 0)
+    {
+        limit = min(limit, maxDiffusion_/objects.diffusionRate());
+    }
+    return choose(limit);
 }
 
 
@@ -172,8 +173,8 @@ void Foam::fsi::timeStep::write() const
     }
     writeFile
     (
-        time_, time_.timeName(), "uniform", "fsiTimeStep", IOstream::ASCII,
-        [&](Ostream& os) { os.writeEntry("step", step(level_)); }
+        time_, nameOf(time_), "uniform", "fsiTimeStep", IOstream::ASCII,
+        [&](Ostream& os) { putEntry(os, "step", step(level_)); }
     );
 }
 

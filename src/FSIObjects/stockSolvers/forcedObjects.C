@@ -18,9 +18,8 @@ Foam::fsi::forcedObjects::forcedObjects
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::forcedObjects::force
+void Foam::fsi::forcedObjects::advance
 (
-    fvVectorMatrix& UEqn,
     volVectorField& U,
     volScalarField& p
 )
@@ -35,10 +34,11 @@ void Foam::fsi::forcedObjects::force
         forcing_.updateCoverage();
         objects_.write();
     }
-    if (mag(objects_.driving().value()) > 0)
-    {
-        UEqn -= objects_.driving();
-    }
+}
+
+
+void Foam::fsi::forcedObjects::force(fvVectorMatrix& UEqn)
+{
     forcing_.force(UEqn);
 }
 

@@ -106,7 +106,7 @@ OFFENCES = [
      "src/kernels/low/alone.C:1:", ["no alone.H"]),
     ("test of the version in a source",
      {"src/kernels/low/low.C": SPDX + "#if OPENFOAM > 2000\n#endif\n"},
-     "src/kernels/low/low.C:1:", ["#if OPENFOAM"]),
+     "src/kernels/low/low.C:2:", ["test of the version"]),
 ]
 
 
