@@ -4,8 +4,9 @@
 
     tables.py FOLDER RESULTS [-steps N] [-cells N] [-ranks N] TABLE...
 
-TABLE: table6.1, table6.2, stock, profile, coupling, many. Rows of more than
--cells cells are left out and named. FOLDER holds the cases, RESULTS the files.
+TABLE: table6.1, table6.2, stock, profile, coupling, many, and those of
+tables3D. Rows of more than -cells cells are left out and named. FOLDER holds
+the cases, RESULTS the files.
 """
 
 import argparse
@@ -16,6 +17,7 @@ import fsiCase
 import measure
 import plot
 import scenarios
+import tables3D
 
 # Seconds per step of the thesis, tables 6.1 and 6.2: (scenario, cells across,
 # small objects)
@@ -60,36 +62,52 @@ class Tables:
         box = scenarios.BOX[number]
         cells = width*width*(box[3] - box[1])//(box[2] - box[0])
         name = f"{number}-{width}-{objects}-{kind}"
-        if cells > self.options.cells:
-            print(f"left out: {name}, {cells} cells", flush=True)
+        if self.left_out(name, cells):
             return None
-        print(f"{name}: ", end="", flush=True)
         case = scenarios.Scenario(os.path.join(self.folder, name), number,
                                   width, objects, self.options.steps, kind)
+        row = {"scenario": number, "Nx": case.size[0], "Ny": case.size[1],
+               "objects": objects, "kind": kind,
+               **self.measured(case, cells)}
+        if stock:
+            seconds = self.stock(case)["seconds"]
+            row["icoFoam seconds/step"] = seconds
+            row["ratio"] = row["seconds/step"]/seconds
+        return row
+
+    def left_out(self, name, cells):
+        """True, and a word of it, if a row has too many cells."""
+        if cells > self.options.cells:
+            print(f"left out: {name}, {cells} cells", flush=True)
+            return True
+        print(f"{name}: ", end="", flush=True)
+        return False
+
+    def measured(self, case, cells):
+        """Sets a case up, runs it, and what that gave."""
         case.set_up()
         ranks = self.options.ranks
         if ranks > 1:
             self.decompose(case, ranks)
         found = measure.run_steps(case.path, "fsiPisoFoam", ranks=ranks)
-        row = {"scenario": number, "Nx": case.size[0], "Ny": case.size[1],
-               "objects": objects, "kind": kind, "ranks": ranks,
-               "seconds/step": found["seconds"], "steps": found["steps"],
-               "us/step/cell": 1e6*found["seconds"]/cells,
-               "pressure iterations": found["iterations"],
-               "MiB": found["memory"],
-               **{f"{part} share": share for part, share in
-                  measure.shares(case.path).items() if share > 0}}
-        if stock:
-            other = case.stock(case.path + "-stock")
-            if ranks > 1:
-                self.decompose(other, ranks)
-            reference = measure.run_steps(other.path, "icoFoam", ranks=ranks)
-            row["icoFoam seconds/step"] = reference["seconds"]
-            row["ratio"] = found["seconds"]/reference["seconds"]
-        print(f"{found['seconds']:.3g} s/step"
-              + (f", {row['ratio']:.3f} of icoFoam" if stock else ""),
-              flush=True)
-        return row
+        print(f"{found['seconds']:.3g} s/step", flush=True)
+        return {"ranks": ranks,
+                "seconds/step": found["seconds"], "steps": found["steps"],
+                "us/step/cell": 1e6*found["seconds"]/cells,
+                "pressure iterations": found["iterations"],
+                "MiB": found["memory"],
+                **{f"{part} share": share for part, share in
+                   measure.shares(case.path).items() if share > 0}}
+
+    def stock(self, case):
+        """The same by icoFoam with GAMG: what measure.run_steps gives."""
+        other = case.stock(case.path + "-stock")
+        ranks = self.options.ranks
+        if ranks > 1:
+            self.decompose(other, ranks)
+        found = measure.run_steps(other.path, "icoFoam", ranks=ranks)
+        print(f"icoFoam: {found['seconds']:.3g} s/step", flush=True)
+        return found
 
     @staticmethod
     def decompose(case, ranks):
@@ -150,6 +168,8 @@ class Tables:
                         for r in rows if r.get(part, 0) > 0]
                  for part in sorted(parts)},
                 "cells", "seconds per step")
+        elif name in tables3D.NAMES:
+            self.write(name, tables3D.table(self, name))
         elif name == "coupling":
             self.write(name, self.coupling())
         else:
@@ -223,7 +243,8 @@ class Discs(fsiCase.Case):
 
 def main():
     """Reads the command line."""
-    names = ("table6.1", "table6.2", "stock", "profile", "coupling", "many")
+    names = ("table6.1", "table6.2", "stock", "profile", "coupling", "many",
+             *tables3D.NAMES)
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder")
     parser.add_argument("results")

@@ -21,6 +21,7 @@ Usage
     solidsTable iterations      error of a step of a bar by its iterations
 \*---------------------------------------------------------------------------*/
 
+#include "admmSolver.H"
 #include "samples.H"
 #include "solidTables.H"
 #include "SortableList.H"

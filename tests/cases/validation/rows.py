@@ -17,6 +17,7 @@ sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)),
 import common  # noqa: E402
 import cylinder  # noqa: E402
 import discs  # noqa: E402
+import fixedWalls  # noqa: E402
 import lubrication  # noqa: E402
 import softDisc  # noqa: E402
 
@@ -75,6 +76,11 @@ def main(folder):
         return report.attempt(
             function.__name__,
             lambda: list(itertools.islice(function(), number))) or []
+
+    # A sphere of 8 cells, a tube of 10
+    for function in (fixedWalls.spheres, fixedWalls.tube):
+        for row in rows(function, 1):
+            check(report, row)
 
     still = rows(softDisc.static, 4)
     for row in still[:2]:
