@@ -19,6 +19,7 @@ Description
         adjustTimeStep | follow the Courant number             | no
         maxCo          | largest Courant number of fluid and objects | 0.5
         maxDeltaT      | largest time step [s]                 | deltaT
+        maxTimeError   | largest error of a step (timeError); 0: none | 0
         maxDiffusion   | largest dt nu d/h^2; 0: none          | 0
     \endtable
 
@@ -83,6 +84,7 @@ int main(int argc, char *argv[])
         runTime.write();
     }
 
+    objects.error().report(Info);
     objects.timer().report(Info);
     Info<< "End\n" << endl;
 

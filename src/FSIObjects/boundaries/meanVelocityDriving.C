@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "domainSides.H"
+#include "population.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -39,6 +40,52 @@ static vector targetVelocity(const dictionary& dict)
     return v;
 }
 
+
+//- What the objects that move freely have more of momentum than the fluid in
+//  their place, over the fluid's density [m4/s]
+static vector moreMomentum(const population& objects, const scalar density)
+{
+    vector sum(Zero);
+    for (const bodyGroup& group : objects.groups())
+    {
+        const shapeTemplate& shape = group.shape();
+        const scalar more =
+            Foam::sum(shape.nodeMasses())*(1/density - 1/shape.density());
+        for (label i = 0; i < group.size() && group.movesFreely(); ++i)
+        {
+            sum += more*group.velocity(i);
+        }
+    }
+    return sum;
+}
+
+
+//- alpha of (7.3): growth of the mean velocity over the driving acceleration
+static scalar meanResponse
+(
+    const population& objects,
+    const scalar density,
+    const scalar domainVolume
+)
+{
+    const label other = objects.nDims() - 1;
+    scalar light = 0;
+    for (const bodyGroup& group : objects.groups())
+    {
+        const shapeTemplate& shape = group.shape();
+        const scalar part =
+            Foam::sum(shape.nodeMasses())/shape.density()
+           *group.size()/domainVolume;
+        if (group.movesFreely())
+        {
+            light +=
+                part*(density - shape.density())
+               /(density + other*shape.density());
+        }
+    }
+    return (1 + other*light)/(1 - light);
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -57,7 +104,9 @@ Foam::fsi::meanVelocityDriving::meanVelocityDriving
     axis_(targetVelocity(dict)/target_),
     relaxationTime_(readNonNegative(dict, "relaxationTime", 0)),
     acceleration_(0),
-    mean_(GREAT)
+    mean_(GREAT),
+    momentum_(0),
+    change_(0)
 {
     const vector period(domainSides(mesh).period());
     for (direction d = 0; d < 3; ++d)
@@ -76,29 +125,44 @@ Foam::fsi::meanVelocityDriving::meanVelocityDriving
     {
         acceleration_ = state.get<scalar>("acceleration");
         mean_ = state.get<scalar>("meanVelocity");
+        momentum_ = state.get<scalar>("momentum");
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::meanVelocityDriving::update(const volVectorField& U)
+void Foam::fsi::meanVelocityDriving::update
+(
+    const volVectorField& U,
+    const population& objects,
+    const scalar density
+)
 {
     const scalarField& V = mesh_.V();
-    const scalar mean =
-        (gSum(V*U.primitiveField()) & axis_)/gSum(V);
+    const scalar volume = gSum(V);
+    const scalar mean = (gSum(V*U.primitiveField()) & axis_)/volume;
+    const scalar momentum =
+        mean + (moreMomentum(objects, density) & axis_)/volume;
     const Time& time = mesh_.time();
 
     // The step that led here, and the one to come
     scalar resistance = 0;
     if (mean_ < 0.5*GREAT)
     {
-        resistance = acceleration_ - (mean - mean_)/time.deltaT0Value();
+        resistance =
+            acceleration_ - (momentum - momentum_)/time.deltaT0Value();
     }
     // A step cut short by a write time does not have to make up for it all
     const scalar step = max(time.deltaTValue(), time.deltaT0Value());
-    acceleration_ = resistance + (target_ - mean)/max(relaxationTime_, step);
+    const scalar last = acceleration_;
+    acceleration_ =
+        resistance
+      + (target_ - mean)
+       /(meanResponse(objects, density, volume)*max(relaxationTime_, step));
+    change_ = acceleration_ - last;
     mean_ = mean;
+    momentum_ = momentum;
     Info<< "Mean velocity " << mean_ << ", driving acceleration "
         << acceleration_ << endl;
 }
@@ -114,6 +178,7 @@ void Foam::fsi::meanVelocityDriving::write() const
         {
             os.writeEntry("acceleration", acceleration_);
             os.writeEntry("meanVelocity", mean_);
+            os.writeEntry("momentum", momentum_);
         }
     );
 }

@@ -24,6 +24,20 @@ void Foam::fsi::addRigidForce
 }
 
 
+void Foam::fsi::expectPressure(fsiSystem& system, const scalarField& change)
+{
+    vectorField nodal;
+    system.walls.transpose(change, nodal);
+    nodal *= system.fluidDensity;
+    List<Eigen::MatrixXd> load;
+    system.objects.layout().toBoundary(nodal, load);
+    forAll(load, groupi)
+    {
+        system.objects.groups()[groupi].expectLoad(load[groupi]);
+    }
+}
+
+
 void Foam::fsi::addResponse
 (
     const population& objects,

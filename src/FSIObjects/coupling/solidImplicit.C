@@ -33,6 +33,7 @@ Foam::fsi::solidImplicit::solidImplicit
     viscous_(system),
     term_(system),
     conductance_(system),
+    sudden_(system),
     passes_(dict)
 {
     checkKeys(dict, {"type", "passes", "passTolerance"});
@@ -100,7 +101,7 @@ void Foam::fsi::solidImplicit::begin
         (
             IOobject
             (
-                "lastPressure",
+                p.name(),
                 p.mesh().time().timeName(),
                 p.mesh(),
                 IOobject::NO_READ,
@@ -112,6 +113,7 @@ void Foam::fsi::solidImplicit::begin
     );
     passes_.begin();
     volScalarField& last = oldPressure_.ref();
+    answerAcceleration(last);
     fillFilmCells(system_.geometry, last);
     setGradient();
 
@@ -156,7 +158,10 @@ void Foam::fsi::solidImplicit::solvePressure
     system_.walls.flux(oldPart - velocity_.surface(), source);
     subtractOutflow(phiHbyA, source);
 
-    solveWithObjects(p, pEqn.ref(), source);
+    solveWithObjects
+    (
+        p, pEqn.ref(), source, term_, oldPressure_().primitiveField()
+    );
     pEqn.clear();
 
     subtractGradient(geometry, p, rAU, phiHbyA);

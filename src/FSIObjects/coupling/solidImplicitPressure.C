@@ -3,6 +3,8 @@
 #include "solidImplicit.H"
 #include "dictionaryCheck.H"
 #include "FlatOutput.H"
+#include "objectResponse.H"
+#include "openLaplacian.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -41,6 +43,24 @@ static const dictionary& checkedControls(const volScalarField& p)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::fsi::solidImplicit::answerAcceleration(volScalarField& last)
+{
+    if (!sudden_.update(last))
+    {
+        return;
+    }
+    const scalarField before(last.primitiveField());
+    tmp<fvScalarMatrix> pEqn
+    (
+        openLaplacian(system_.geometry, last, system_.deltaT())
+    );
+    scalarField source;
+    sudden_.setSource(last, source);
+    solveWithObjects(last, pEqn.ref(), source, sudden_, before);
+    expectPressure(system_, last.primitiveField() - before);
+}
+
+
 void Foam::fsi::solidImplicit::updateMultigrid
 (
     const volScalarField& p,
@@ -72,35 +92,13 @@ void Foam::fsi::solidImplicit::solveWithObjects
 (
     volScalarField& p,
     fvScalarMatrix& pEqn,
-    scalarField& b
+    scalarField& b,
+    const addedTerm& term,
+    const scalarField& inside
 )
 {
     const boolList& active = system_.geometry.activeCell();
-    scalarField& diagonal = pEqn.diag();
-    forAll(b, celli)
-    {
-        if (!active[celli])
-        {
-            b[celli] = 0;
-            diagonal[celli] = 0;
-        }
-    }
-
-    // Patches' parts of diagonal and source, as fvMatrix::solve adds them
-    forAll(p.boundaryField(), patchi)
-    {
-        const labelUList& cells = pEqn.lduAddr().patchAddr(patchi);
-        const bool coupled = p.boundaryField()[patchi].coupled();
-        for (label i = 0; i < cells.size(); ++i)
-        {
-            if (active[cells[i]])
-            {
-                diagonal[cells[i]] += pEqn.internalCoeffs()[patchi][i];
-                b[cells[i]] +=
-                    coupled ? 0 : pEqn.boundaryCoeffs()[patchi][i];
-            }
-        }
-    }
+    addPatchParts(active, p, pEqn, b);
     updateMultigrid(p, pEqn);
 
     const dictionary& controls = p.mesh().solverDict(p.name());
@@ -114,16 +112,15 @@ void Foam::fsi::solidImplicit::solveWithObjects
         b,
         p.name(),
         loop,
-        &term_
+        &term
     ).print(Info.masterStream(p.mesh().comm()));
 
     // Inside the objects nothing is solved for
-    const scalarField& last = oldPressure_().primitiveField();
     forAll(active, celli)
     {
         if (!active[celli])
         {
-            p[celli] = last[celli];
+            p[celli] = inside[celli];
         }
     }
     p.correctBoundaryConditions();

@@ -72,6 +72,7 @@ Foam::fsi::fsiObjects::fsiObjects
         properties_.subOrEmptyDict("output"),
         system_.grid.nDims()
     ),
+    timeError_(mesh),
     signedDistance_
     (
         IOobject
@@ -161,7 +162,7 @@ void Foam::fsi::fsiObjects::startStep
         system_.renew();
         coupling_->renew();
     }
-    system_.driving->update(U);
+    system_.driving->update(U, system_.objects, system_.fluidDensity);
 
     fsiSystem::groupNodal force;
     system_.objects.layout().zero(force);
@@ -184,6 +185,15 @@ void Foam::fsi::fsiObjects::startStep
 
 void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
 {
+    if (coupling_->hasFluid())
+    {
+        timeError_.measure
+        (
+            U,
+            system_.geometry.fluidCell(),
+            coupling_->splittingError()
+        );
+    }
     coupling_->end(p, U);
     {
         const stepTimer::section solids(timer_, stepTimer::part::solids);

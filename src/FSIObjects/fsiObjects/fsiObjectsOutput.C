@@ -63,6 +63,8 @@ void Foam::fsi::fsiObjects::report()
     record.misfit = system_.levelSet->misfit(system_.surfaces());
     record.rebuilds = system_.levelSet->nRebuilds();
 
+    record.timeError = timeError_.value();
+
     timer_.endStep(time.value(), time.deltaTValue(), time.endTime().value());
     record.seconds = timer_.seconds();
     writer_.writeStep(record);
@@ -123,6 +125,7 @@ void Foam::fsi::fsiObjects::write()
     system_.contacts->write();
     boundaries_.write();
     system_.driving->write();
+    timeError_.write();
 }
 
 

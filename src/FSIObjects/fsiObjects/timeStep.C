@@ -52,7 +52,8 @@ Foam::fsi::timeStep::timeStep(const Time& time)
 :
     time_(time),
     level_(-1),
-    warned_(false)
+    warned_(false),
+    warnedOfError_(false)
 {
     read();
     const dictionary state(readState(time_, "fsiTimeStep"));
@@ -83,6 +84,7 @@ void Foam::fsi::timeStep::read()
     adjust_ = controls.lookupOrDefault<Switch>("adjustTimeStep", false);
     maxCo_ = readPositive(controls, "maxCo", 0.5);
     maxDiffusion_ = readNonNegative(controls, "maxDiffusion", 0);
+    maxTimeError_ = readNonNegative(controls, "maxTimeError", 0);
 }
 
 
@@ -96,6 +98,56 @@ Foam::label Foam::fsi::timeStep::levelOf
         limit >= maxDeltaT
       ? 0
       : label(ceil(4*log(maxDeltaT/limit)/log(2.0) - 1e-9));
+}
+
+
+void Foam::fsi::timeStep::warn
+(
+    const scalar courantNo,
+    const fsiObjects& objects
+)
+{
+    if (!adjust_ && !warned_ && courantNo > 2)
+    {
+        warned_ = true;
+        WarningInFunction
+            << "At a Courant number above 2 the relaxation of U may diverge."
+            << nl
+            << "    Take a smaller deltaT, or adjustTimeStep yes with maxCo"
+            << nl << endl;
+    }
+    const bool limited = adjust_ && maxTimeError_ > 0;
+    if (!limited && !warnedOfError_ && objects.error().tooLarge())
+    {
+        warnedOfError_ = true;
+        WarningInFunction
+            << "The step is too large: its error is estimated as "
+            << 100*objects.error().mean() << " % of the velocity in the mean"
+            << " over " << label(timeError::meanSteps) << " steps." << nl
+            << "    Take a smaller deltaT, adjustTimeStep yes with"
+            << " maxTimeError, or more passes (coupling)" << nl << endl;
+    }
+}
+
+
+Foam::scalar Foam::fsi::timeStep::limit
+(
+    const scalar courantNo,
+    const fsiObjects& objects
+) const
+{
+    const scalar dt = time_.deltaTValue();
+    scalar limit = maxCo_*dt/max(courantNo, SMALL);
+    if (maxDiffusion_ > 0)
+    {
+        limit = min(limit, maxDiffusion_/objects.diffusionRate());
+    }
+    const scalar error = objects.error().value();
+    if (maxTimeError_ > 0 && error > 0)
+    {
+        limit = min(limit, dt*max(sqrt(maxTimeError_/error), 0.5));
+    }
+    return limit;
 }
 
 
@@ -143,25 +195,8 @@ Foam::scalar Foam::fsi::timeStep::next
     const scalar solid = objects.courantNo();
     Info<< "Courant Number fluid: " << fluid << " objects: " << solid << endl;
 
-    if (!adjust_ && !warned_ && max(fluid, solid) > 2)
-    {
-        warned_ = true;
-        WarningInFunction
-            << "At a Courant number above 2 the relaxation of U may diverge."
-            << nl
-            << "    Take a smaller deltaT, or adjustTimeStep yes with maxCo"
-            << nl << endl;
-    }
-    if (!adjust_)
-    {
-        return dt;
-    }
-    scalar limit = maxCo_*dt/max(max(fluid, solid), SMALL);
-    if (maxDiffusion_ > 0)
-    {
-        limit = min(limit, maxDiffusion_/objects.diffusionRate());
-    }
-    return choose(limit);
+    warn(max(fluid, solid), objects);
+    return adjust_ ? choose(limit(max(fluid, solid), objects)) : dt;
 }
 
 

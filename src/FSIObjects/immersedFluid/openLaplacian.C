@@ -57,6 +57,40 @@ Foam::tmp<Foam::scalarField> Foam::fsi::normalGradient
 }
 
 
+void Foam::fsi::addPatchParts
+(
+    const boolList& active,
+    const volScalarField& p,
+    fvMatrix<scalar>& pEqn,
+    scalarField& b
+)
+{
+    scalarField& diagonal = pEqn.diag();
+    forAll(b, celli)
+    {
+        if (!active[celli])
+        {
+            b[celli] = 0;
+            diagonal[celli] = 0;
+        }
+    }
+    forAll(p.boundaryField(), patchi)
+    {
+        const labelUList& cells = pEqn.lduAddr().patchAddr(patchi);
+        const bool coupled = p.boundaryField()[patchi].coupled();
+        for (label i = 0; i < cells.size(); ++i)
+        {
+            if (active[cells[i]])
+            {
+                diagonal[cells[i]] += pEqn.internalCoeffs()[patchi][i];
+                b[cells[i]] +=
+                    coupled ? 0 : pEqn.boundaryCoeffs()[patchi][i];
+            }
+        }
+    }
+}
+
+
 void Foam::fsi::subtractOutflow
 (
     const surfaceScalarField& flux,

@@ -72,7 +72,8 @@ Foam::wordList Foam::fsi::stepRecord::columns()
         "levelSetSeconds", "solidsSeconds", "contactSeconds", "couplingSeconds",
         "removed", "fed", "maxSpeed",
         "fluidVelocityX", "fluidVelocityY", "fluidVelocityZ",
-        "objectVelocityX", "objectVelocityY", "objectVelocityZ"
+        "objectVelocityX", "objectVelocityY", "objectVelocityZ",
+        "timeError"
     });
 }
 
@@ -87,7 +88,8 @@ void Foam::fsi::stepRecord::write(csvTable& table) const
     {
         row << s;
     }
-    row << removed << fed << maxSpeed << fluidVelocity << objectVelocity;
+    row << removed << fed << maxSpeed << fluidVelocity << objectVelocity
+        << timeError;
 }
 
 

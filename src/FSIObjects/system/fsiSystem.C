@@ -104,8 +104,10 @@ void Foam::fsi::fsiSystem::addBodyForce(groupNodal& force) const
     forAll(objects.groups(), groupi)
     {
         const shapeTemplate& shape = objects.shape(groupi);
-        const scalar lighter = fluidDensity/shape.density();
-        const vector a((1 - lighter)*gravity + lighter*driving->acceleration());
+        const vector a
+        (
+            bodyAcceleration(groupi, gravity, driving->acceleration())
+        );
         Eigen::MatrixXd& f = force[groupi];
 
         for (Eigen::Index column = 0; column < f.cols(); ++column)

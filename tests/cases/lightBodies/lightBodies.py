@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A light elastic body that was pushed comes to rest: in a cyclic box without a
-driving force its kinetic and elastic energy can only fall.
+"""Light elastic bodies in a cyclic box.
+
+One that was pushed comes to rest: without a driving force its kinetic and
+elastic energy can only fall. One that a driving acceleration or gravity sets
+into motion has the acceleration of potential flow after the first step, and a
+driving force that wants a mean velocity from rest gets it without an overshoot.
 
     lightBodies.py FOLDER
 
@@ -10,7 +14,9 @@ as much as its inertia resists (doc/theory.md, (5.19)). Viscosity leaves less
 than half of the first step's energy after 100 steps.
 """
 
+import math
 import os
+import re
 import sys
 
 import fsiCase
@@ -18,6 +24,12 @@ import results
 
 STEP, STEPS = 0.01, 100
 LEFT = 0.5
+
+# A disc of the density LIGHT, of which 64 cells hold 12.8
+RADIUS, LIGHT = 0.1, 0.1
+
+# Largest error of its acceleration, and the steps
+NEAR, START_STEPS = 0.05, (1e-2, 1e-3, 1e-4)
 
 # Name, material, further entries of the shape, viscosity of the fluid
 BODIES = (
@@ -45,9 +57,85 @@ def energies(folder, material, entries, viscosity):
             for row in results.table(case.path, "global.csv")]
 
 
+def lattice_acceleration(density):
+    """Of discs in a square lattice of period 1 in potential flow, over the
+    acceleration that drives it: Maxwell's formula for the mobility 1/density
+    (doc/theory.md, (7.3))."""
+    part = math.pi*RADIUS**2
+    contrast = (1 - density)/(1 + density)
+    mean = (1 + part*contrast)/(1 - part*contrast)
+    return (mean - 1)/(part*(1 - density))
+
+
+def started(folder, discs, step, steps, **parameters):
+    """The case of light discs at rest at the centres given, solved."""
+    case = fsiCase.Case(
+        os.path.join(folder, "case"), cells=(64, 64), viscosity=1e-4,
+        cyclic="xy",
+        shapes=f"disc {{ shape {{ type circle; radius {RADIUS}; }} "
+               f"material {{ density {LIGHT}; E 1e6; }} }}",
+        placements="a { type listed; shape disc; objects ("
+                   + " ".join(f"{{ centre ({x} {y} 0); }}" for x, y in discs)
+                   + "); }",
+        deltaT=step, endTime=steps*step, writeInterval=steps,
+        **parameters).set_up()
+    case.run("fsiPisoFoam")
+    return case
+
+
+def first_velocity(folder, step, axis, **parameters):
+    """Velocity of one disc after the first step, over the step's size."""
+    case = started(folder, ((0.5, 0.5),), step, 1, **parameters)
+    return results.table(case.path, "objects.csv")[-1]["velocity" + axis]/step
+
+
+def check_start(report, folder):
+    """Acceleration from rest by a driving force and by weight."""
+    driven = lattice_acceleration(LIGHT)
+    for step in START_STEPS:
+        for name, exact, axis, parameters in (
+                ("driven", driven, "X",
+                 {"properties": "drivingForce { type acceleration; "
+                                "acceleration (1 0 0); }"}),
+                ("rises", driven - 1, "Y", {"gravity": "(0 -1 0)"})):
+            name = f"{name}, step {step}"
+            found = report.attempt(name, first_velocity, folder, step, axis,
+                                   **parameters)
+            if found is not None:
+                print(f"    {name}: {found:.4g}, exact {exact:.4g}")
+                report.check(f"{name}: first step",
+                             abs(found/exact - 1) < NEAR,
+                             f"{found}, not {exact}")
+
+
+def check_mean_velocity(report, folder):
+    """A driving force that wants the mean velocity 1 from rest, discs of a
+    tenth of the density on 19 % of the area."""
+    discs = [(x, y) for x in (0.18, 0.5, 0.82) for y in (0.27, 0.73)]
+    case = report.attempt(
+        "mean velocity", started, folder, discs, 0.005, 40,
+        properties="drivingForce { type meanVelocity; velocity (1 0 0); }")
+    if case is None:
+        return
+    found = [float(m) for m in re.findall(
+        r"Mean velocity (\S+),", results.read(case.path, "log.fsiPisoFoam"))]
+    speeds = [row["maxSpeed"]
+              for row in results.table(case.path, "global.csv")]
+    print(f"    mean velocity: {min(found[5:]):.4g} to {max(found):.4g}, "
+          f"largest speed {max(speeds):.4g}")
+    report.check("mean velocity: no overshoot", max(found) < 1 + NEAR,
+                 f"{max(found)}")
+    report.check("mean velocity: reached", min(found[5:]) > 1 - NEAR,
+                 f"{min(found[5:])}")
+    report.check("mean velocity: speed", max(speeds) < 2*lattice_acceleration(
+        LIGHT), f"{max(speeds)}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
+    check_start(report, folder)
+    check_mean_velocity(report, folder)
     for name, *body in BODIES:
         found = report.attempt(name, energies, folder, *body)
         if found is None:

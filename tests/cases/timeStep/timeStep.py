@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A flow that starts from rest starts with deltaT, whatever maxDeltaT is, and
 its steps grow by one place of their series at a time; those of a run that was
-stopped go on as if it had not been.
+stopped go on as if it had not been. A fixed step that is too large is warned of
+once; maxTimeError keeps the estimate of the error (doc/theory.md, (4.14)), as
+it does in a run that was stopped.
 
     timeStep.py FOLDER
 """
@@ -15,6 +17,10 @@ import fsiCase
 import results
 
 DELTA_T, MAX_CO = 0.001, 0.3
+
+# dt nu/h^2 = 41, where the mean velocity is some per cent off, and the error
+# that maxTimeError allows
+TOO_LARGE, MAX_ERROR = 0.04, 0.005
 
 
 def numbers(pattern, log):
@@ -69,9 +75,59 @@ def check_restart(report, folder):
                  f"after {same} of {len(starts)} stops")
 
 
+def channel(folder, name, **control):
+    """A disc that fills half of a channel in Stokes flow."""
+    return fsiCase.Case(
+        os.path.join(folder, name), viscosity=1, cyclic="x",
+        properties="drivingForce { type acceleration; acceleration (12 0 0); }",
+        shapes="disc { shape { type circle; radius 0.25; }"
+               " material { density 1; E 1e4; } }",
+        placements="a { type listed; shape disc;"
+                   " objects ({ centre (0.5 0.35 0); }); }",
+        deltaT=TOO_LARGE, timePrecision=10, **control).set_up()
+
+
+def errors(case):
+    """The column timeError of global.csv."""
+    return [row["timeError"] for row in results.table(case.path, "global.csv")]
+
+
+def check_error(report, folder):
+    """A fixed step that is too large, and one that follows its error."""
+    case = channel(folder, "fixed", endTime=40*TOO_LARGE)
+    log = case.run("fsiPisoFoam")
+    report.check("a fixed step that is too large is warned of once",
+                 log.count("The step is too large") == 1,
+                 f"{log.count('The step is too large')} times")
+    report.check("its steps are counted", "Time error above" in log)
+    report.check("its error is seen", 0.02 < max(errors(case)[20:]) < 0.2,
+                 f"{max(errors(case)[20:])}")
+
+    case = channel(folder, "limited", endTime=1, adjustTimeStep="yes",
+                   maxTimeError=MAX_ERROR, writeControl="adjustableRunTime",
+                   writeInterval=0.5)
+    log = case.run("fsiPisoFoam")
+    found = errors(case)
+    late = found[len(found)//2:]
+    print(f"    {len(found)} steps, error {min(late):.3g} to {max(late):.3g}")
+    report.check("the limit is kept", 0.1*MAX_ERROR < max(late)
+                 < 1.3*MAX_ERROR, f"{max(late)}")
+    report.check("no warning with the limit",
+                 "The step is too large" not in log)
+    before = numbers("Time error: ", log)
+    case.control(startTime=0.5)
+    after = numbers("Time error: ", case.run("fsiPisoFoam"))
+    same = [abs(a - b) < 1e-4*b
+            for a, b in zip(after, before[len(before) - len(after):])]
+    report.check("a run that was stopped has the same errors",
+                 0 < len(after) < len(before) and all(same),
+                 f"in {sum(same)} of {len(after)} steps")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
+    report.attempt("error", check_error, report, folder)
     report.attempt("start", check_start, report, folder)
     report.attempt("restart", check_restart, report, folder)
 

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "suddenAcceleration.H"
+#include "openLaplacian.H"
+#include "rigidForce.H"
+#include "sumOverRanks.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::suddenAcceleration::suddenAcceleration(const fsiSystem& system)
+:
+    system_(system),
+    gravity_(Zero),
+    driving_(Zero)
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::fsi::suddenAcceleration::bodyChange
+(
+    const label groupi
+) const
+{
+    return
+        system_.objects.groups()[groupi].movesFreely()
+      ? system_.bodyAcceleration(groupi, gravity_, driving_)
+      : Zero;
+}
+
+
+Foam::scalar Foam::fsi::suddenAcceleration::largestDifference() const
+{
+    scalar largest = 0;
+    forAll(system_.objects.groups(), groupi)
+    {
+        if (system_.objects.groups()[groupi].size())
+        {
+            largest = max(largest, mag(bodyChange(groupi) - driving_));
+        }
+    }
+    return largest;
+}
+
+
+void Foam::fsi::suddenAcceleration::velocity
+(
+    const scalarField& p,
+    vectorField& v
+) const
+{
+    system_.walls.transposeAtWalls(p, v);
+    v *= system_.fluidDensity;
+    system_.objects.layout().toBoundary(v, force_);
+    system_.objects.layout().zero(velocity_);
+    const scalar deltaT = system_.deltaT();
+    forAll(force_, groupi)
+    {
+        const bodyGroup& group = system_.objects.groups()[groupi];
+        if (group.movesFreely())
+        {
+            Eigen::MatrixXd& change = velocity_[groupi];
+            addRigidForce(group, force_[groupi], change);
+            forAll(group.shape().nodeMasses(), nodei)
+            {
+                change.row(nodei) *= deltaT/group.shape().nodeMasses()[nodei];
+            }
+        }
+    }
+    system_.objects.layout().toSurface(velocity_, v);
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::suddenAcceleration::flux
+(
+    const volScalarField& p
+) const
+{
+    const fvMesh& mesh = p.mesh();
+    const surfaceScalarField& open = system_.geometry.openArea();
+    const vector step(system_.deltaT()*driving_);
+    auto tflux = tmp<surfaceScalarField>::New
+    (
+        IOobject("suddenFlux", mesh.time().timeName(), mesh),
+        mesh,
+        dimVelocity*dimArea
+    );
+    surfaceScalarField& flux = tflux.ref();
+    flux.setOriented();
+    flux.primitiveFieldRef() =
+        open.primitiveField()*(mesh.Sf().primitiveField() & step);
+    forAll(flux.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
+        pf = Zero;
+        if (pp.coupled() || pp.fixesValue())
+        {
+            pf = open.boundaryField()[patchi]*(pp.patch().Sf() & step);
+        }
+    }
+    return tflux;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::suddenAcceleration::update(const volScalarField& p)
+{
+    const bool starts =
+        p.time().timeIndex() == 1
+     && gMax(p.primitiveField()) - gMin(p.primitiveField()) < VSMALL;
+    gravity_ = starts ? system_.gravity : vector(Zero);
+    driving_ =
+        starts ? system_.driving->acceleration() : system_.driving->change();
+    const scalar velocity = system_.deltaT()*largestDifference();
+    if (!(velocity > VSMALL) || starts)
+    {
+        return velocity > VSMALL;
+    }
+    const fvMesh& mesh = p.mesh();
+    const vectorField& U =
+        mesh.lookupObject<volVectorField>("U").primitiveField();
+    return velocity > 0.01*sqrt(gSum(mesh.V()*magSqr(U))/gSum(mesh.V()));
+}
+
+
+void Foam::fsi::suddenAcceleration::setSource
+(
+    const volScalarField& p,
+    scalarField& source
+) const
+{
+    // As for the pressure of a step: what p^n has is taken back
+    const tmp<surfaceScalarField> tflux(flux(p));
+    surfaceScalarField fluxes(tflux());
+    subtractGradient(system_.geometry, p, -system_.deltaT(), fluxes);
+
+    vectorField lastPart;
+    velocity(system_.walls.atWalls(p.primitiveField()), lastPart);
+    const labelList& object = system_.objects.surfaces().pointObject();
+    forAll(lastPart, nodei)
+    {
+        lastPart[nodei] -=
+            system_.deltaT()
+           *bodyChange(system_.objects.objectGroup(object[nodei]));
+    }
+    source.setSize(p.size());
+    system_.walls.flux(lastPart, source);
+    subtractOutflow(fluxes, source);
+}
+
+
+void Foam::fsi::suddenAcceleration::add
+(
+    scalarField& Ax,
+    const scalarField& x
+) const
+{
+    velocity(x, nodal_);
+    system_.walls.addFluxAtWalls(nodal_, Ax);
+}
+
+
+// ************************************************************************* //

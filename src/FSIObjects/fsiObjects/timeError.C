@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "timeError.H"
+#include "sumOverRanks.H"
+#include "writtenDictionary.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::timeError::timeError(const fvMesh& mesh)
+:
+    rate_
+    (
+        IOobject
+        (
+            "velocityRate",
+            mesh.time().timeName(),
+            mesh,
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        mesh,
+        dimensionedVector(dimAcceleration, Zero)
+    ),
+    scale_(0),
+    ofTime_(0),
+    ofSplitting_(0),
+    mean_(0),
+    nSteps_(0),
+    nAbove_(0)
+{
+    const dictionary state(readState(mesh.time(), "fsiTimeError"));
+    if (!state.empty())
+    {
+        scale_ = state.get<scalar>("scale");
+        ofTime_ = state.get<scalar>("ofTime");
+        ofSplitting_ = state.get<scalar>("ofSplitting");
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::timeError::measure
+(
+    const volVectorField& U,
+    const boolList& fluid,
+    const scalar ofSplitting
+)
+{
+    const scalar deltaT = U.time().deltaTValue();
+    const scalar deltaT0 = U.time().deltaT0Value();
+    const vectorField& last = U.oldTime().primitiveField();
+    scalarList sums(3, Zero);
+    forAll(U, celli)
+    {
+        const vector rate((U[celli] - last[celli])/deltaT);
+        if (fluid[celli])
+        {
+            sums[0] += magSqr(rate - rate_[celli]);
+            sums[1] += magSqr(U[celli]);
+            sums[2] += 1;
+        }
+        rate_[celli] = rate;
+    }
+    sumOverRanks(sums);
+    const bool first = scale_ == 0;
+    scale_ = max(0.99*scale_, sqrt(sums[1]/max(sums[2], 1.0)));
+    ofTime_ =
+        first
+      ? 0
+      : sqr(deltaT)/(deltaT + deltaT0)*sqrt(sums[0]/max(sums[2], 1.0))
+       /max(scale_, VSMALL);
+    ofSplitting_ = ofSplitting;
+
+    ++nSteps_;
+    mean_ += (value() - mean_)/min(nSteps_, meanSteps);
+    nAbove_ += value() > warnAbove;
+    Info<< "Time error: " << value() << ", of the splitting: " << ofSplitting_
+        << endl;
+}
+
+
+void Foam::fsi::timeError::report(Ostream& os) const
+{
+    if (nAbove_ > 0)
+    {
+        os  << "Time error above " << scalar(warnAbove) << " in " << nAbove_
+            << " of " << nSteps_ << " steps, mean of the last ones " << mean_
+            << nl << endl;
+    }
+}
+
+
+void Foam::fsi::timeError::write() const
+{
+    const Time& time = rate_.time();
+    writeFile
+    (
+        time, time.timeName(), "uniform", "fsiTimeError", IOstream::ASCII,
+        [&](Ostream& os)
+        {
+            os.writeEntry("scale", scale_);
+            os.writeEntry("ofTime", ofTime_);
+            os.writeEntry("ofSplitting", ofSplitting_);
+        }
+    );
+}
+
+
+// ************************************************************************* //
