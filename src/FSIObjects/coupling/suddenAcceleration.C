@@ -2,6 +2,7 @@
 
 #include "suddenAcceleration.H"
 #include "openLaplacian.H"
+#include "openfoamVersion.H"
 #include "rigidForce.H"
 #include "sumOverRanks.H"
 
@@ -81,7 +82,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::suddenAcceleration::flux
     const vector step(system_.deltaT()*driving_);
     auto tflux = tmp<surfaceScalarField>::New
     (
-        IOobject("suddenFlux", mesh.time().timeName(), mesh),
+        IOobject("suddenFlux", nameOf(mesh.time()), mesh),
         mesh,
         dimVelocity*dimArea
     );

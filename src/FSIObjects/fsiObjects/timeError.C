@@ -13,7 +13,7 @@ Foam::fsi::timeError::timeError(const fvMesh& mesh)
         IOobject
         (
             "velocityRate",
-            mesh.time().timeName(),
+            nameOf(mesh.time()),
             mesh,
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
@@ -96,12 +96,12 @@ void Foam::fsi::timeError::write() const
     const Time& time = rate_.time();
     writeFile
     (
-        time, time.timeName(), "uniform", "fsiTimeError", IOstream::ASCII,
+        time, nameOf(time), "uniform", "fsiTimeError", IOstream::ASCII,
         [&](Ostream& os)
         {
-            os.writeEntry("scale", scale_);
-            os.writeEntry("ofTime", ofTime_);
-            os.writeEntry("ofSplitting", ofSplitting_);
+            putEntry(os, "scale", scale_);
+            putEntry(os, "ofTime", ofTime_);
+            putEntry(os, "ofSplitting", ofSplitting_);
         }
     );
 }
