@@ -69,9 +69,24 @@ def check_names(report, path, text, known):
     report.check(f"files that {path} names exist", not missing, missing)
 
 
+def check_columns(report):
+    """The guide has every column of global.csv and objects.csv; of a vector
+    or another group, its beginning."""
+    guide, missing = read("doc/userGuide.md"), []
+    for name in ("stepRecord", "objectRecord"):
+        source = read(f"src/FSIObjects/output/{name}.C")
+        start = source.index("::columns(")
+        columns = source[start:source.index("\n}\n", start)]
+        missing += [c for c in re.findall(r'"(\w+)"', columns)
+                    if "`" + re.sub("[XYZABC]$", "", c) not in guide]
+    report.check("the guide has every column of the tables", not missing,
+                 missing)
+
+
 def main():
     report = fsiCase.Report()
     check_entries(report)
+    check_columns(report)
     known = all_files()
     for path in DOCUMENTS:
         if existing(path):
