@@ -39,6 +39,8 @@ DEFAULTS = {
     # Open patches: side: (boundary condition of U, of p)
     "open": {},
     "properties": "",
+    # Euler or backward
+    "time_scheme": "Euler",
     "shapes": "",
     "placements": "",
     "p_tolerance": 1e-7,
@@ -47,8 +49,7 @@ DEFAULTS = {
     "U_controls": "",
 }
 
-SCHEMES = """ddtSchemes { default Euler; }
-gradSchemes { default Gauss linear; }
+SCHEMES = """gradSchemes { default Gauss linear; }
 divSchemes { default none; div(phi,U) Gauss linear; }
 laplacianSchemes { default Gauss linear orthogonal; }
 interpolationSchemes { default linear; }
@@ -90,7 +91,8 @@ class BoxFiles:
         self.file("system/seedObjectsDict",
                   f"shapes\n{{\n{v['shapes']}\n}}\n"
                   f"placements\n{{\n{v['placements']}\n}}\n")
-        self.file("system/fvSchemes", SCHEMES)
+        self.file("system/fvSchemes", "ddtSchemes { default "
+                  f"{v['time_scheme']}; }}\n" + SCHEMES)
         self.file("system/fvSolution",
                   SOLUTION.format(v["p_tolerance"], v["U_tolerance"],
                                   v["U_controls"]))

@@ -23,11 +23,11 @@ Foam::fsi::fluidStep::fluidStep
     viscosity_(viscosity)
 {
     const word timeScheme(ddtSchemeOf(U.mesh(), "ddt(U)"));
-    if (timeScheme != "Euler")
+    if (timeScheme != "Euler" && timeScheme != "backward")
     {
         FatalIOErrorInFunction(schemesOf(U.mesh()))
             << "Entry 'ddt(U)' or 'default' of ddtSchemes is " << timeScheme
-            << " but the step of FSIObjects is made for Euler"
+            << " but must be Euler or backward"
             << exit(FatalIOError);
     }
     objects_.setSolidVelocity(U_);
@@ -68,7 +68,8 @@ void Foam::fsi::fluidStep::pressure
     const flowSources& sources
 )
 {
-    const scalar rAU = U_.mesh().time().deltaTValue();
+    timeRule& rule = objects_.system().fluid.rule();
+    const scalar rAU = rule.step();
 
     phi_ = objects_.system().fluid.faceFlux
     (
@@ -92,6 +93,9 @@ void Foam::fsi::fluidStep::pressure
     }
     objects_.coupling().correctVelocity(U_, gradP, p_, rAU);
     sources.correct(U_);
+
+    // The flux is that of the new time now, also in a further pass
+    rule.nextPass();
 }
 
 
@@ -107,6 +111,7 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
             objects_.timer(),
             stepTimer::part::fluid
         );
+        objects_.system().fluid.rule().begin(U_, phi_);
         do
         {
             const tmp<volVectorField> tgradP(objects_.coupling().gradient(p_));

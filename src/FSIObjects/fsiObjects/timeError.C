@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "timeError.H"
+#include "openfoamVersion.H"
 #include "sumOverRanks.H"
 #include "writtenDictionary.H"
 

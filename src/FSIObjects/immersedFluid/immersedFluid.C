@@ -13,9 +13,10 @@ Foam::fsi::immersedFluid::immersedFluid
 :
     geometry_(geometry),
     faces_(geometry),
+    rule_(geometry.grid().mesh()),
     gradient_(geometry),
-    momentum_(geometry, faces_, dict),
-    flux_(geometry, faces_, dict)
+    momentum_(geometry, faces_, rule_, dict),
+    flux_(geometry, faces_, rule_, dict)
 {}
 
 

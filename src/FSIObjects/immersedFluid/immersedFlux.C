@@ -3,6 +3,7 @@
 #include "immersedFlux.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
+#include "openfoamMesh.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -17,6 +18,37 @@ Foam::fsi::immersedFlux::historyNames
 });
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- What a step starts from, as u' of (4.15); r follows from tau/dt
+static tmp<surfaceScalarField> startOf
+(
+    const surfaceScalarField& f,
+    const timeRule& rule
+)
+{
+    const scalar part = rule.step()/f.time().deltaTValue();
+    if (ddtSchemeOf(f.mesh(), "ddt(U)") != "backward")
+    {
+        return f;
+    }
+
+    // Kept from here on; of the first step nothing older is known
+    const surfaceScalarField& last = f.oldTime();
+    const surfaceScalarField& before = last.oldTime();
+    const scalar r = (1 - part)/(2*part - 1);
+    return last + sqr(r)/(1 + 2*r)*(last - before);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
@@ -26,7 +58,7 @@ Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
 ) const
 {
     const scalar h = geometry_.grid().spacing();
-    const scalar deltaT = U.time().deltaTValue();
+    const scalar deltaT = rule_.step();
     const scalar viscous = viscosity*sqr(constant::mathematical::pi/h);
 
     scalarField fading(U.size());
@@ -50,7 +82,7 @@ void Foam::fsi::immersedFlux::fadeGradient
     const surfaceScalarField& open = geometry_.openArea();
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar h = grid.spacing();
-    const scalar deltaT = p.time().deltaTValue();
+    const scalar deltaT = rule_.step();
     const scalar fading = deltaT*viscosity*4/sqr(h);
     const scalar lost = grid.faceArea()*deltaT*fading/(1 + fading);
 
@@ -107,11 +139,13 @@ Foam::fsi::immersedFlux::immersedFlux
 (
     const interfaceGeometry& geometry,
     const faceVelocities& faces,
+    const timeRule& rule,
     const dictionary& dict
 )
 :
     geometry_(geometry),
     faces_(faces),
+    rule_(rule),
     faceHistory_
     (
         IOobject
@@ -149,7 +183,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const scalar viscosity
 ) const
 {
-    const scalar deltaT = U.time().deltaTValue();
+    const scalar deltaT = rule_.step();
     tmp<surfaceScalarField> tflux
     (
         faces_.velocity({U, wallVelocity, &gradient, deltaT})
@@ -158,17 +192,19 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     flux.rename("phiHbyA");
     flux.dimensions().reset(dimVelocity*dimArea);
 
+    const tmp<surfaceScalarField> thistory(startOf(faceHistory_, rule_));
+    const surfaceScalarField& history = thistory();
     const surfaceScalarField& open = geometry_.openArea();
     const scalar area = geometry_.grid().faceArea();
     forAll(flux, facei)
     {
-        flux[facei] = (flux[facei] + faceHistory_[facei])*area*open[facei];
+        flux[facei] = (flux[facei] + history[facei])*area*open[facei];
     }
     forAll(flux.boundaryField(), patchi)
     {
         fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
         pf =
-            (pf + faceHistory_.boundaryField()[patchi])
+            (pf + history.boundaryField()[patchi])
            *pf.patch().magSf()*open.boundaryField()[patchi];
     }
     if (history_ == history::fading)

@@ -152,11 +152,13 @@ Foam::fsi::immersedMomentum::immersedMomentum
 (
     const interfaceGeometry& geometry,
     const faceVelocities& faces,
+    const timeRule& rule,
     const dictionary& dict
 )
 :
     geometry_(geometry),
     faces_(faces),
+    rule_(rule),
     wholeFace_
     (
         readChoice(dict, "convection", "wholeFace", {"wholeFace", "openPart"})
@@ -177,19 +179,19 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::momentum
     const vector& acceleration
 ) const
 {
-    const tmp<surfaceScalarField> tflux
-    (
-        wholeFace_
-      ? faces_.wholeFlux(phi, U, wallVelocity)
-      : tmp<surfaceScalarField>(phi)
-    );
+    tmp<surfaceScalarField> tflux(rule_.flux(phi));
+    if (wholeFace_)
+    {
+        tflux = faces_.wholeFlux(tflux(), U, wallVelocity);
+    }
     tmp<fvVectorMatrix> tequation(fvm::div(tflux(), U, "div(phi,U)"));
     fvVectorMatrix& equation = tequation.ref();
     addDiffusion(tflux(), viscosity, equation);
 
-    const scalar perStep = 1/U.time().deltaTValue();
+    const scalar perStep = 1/rule_.step();
     const scalarField& V = U.mesh().V();
-    const vectorField& last = U.oldTime().primitiveField();
+    const tmp<vectorField> tlast(rule_.start(U));
+    const vectorField& last = tlast();
     scalarField& diagonal = equation.diag();
     vectorField& source = equation.source();
     forAll(source, celli)

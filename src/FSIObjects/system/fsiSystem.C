@@ -57,7 +57,7 @@ Foam::fsi::fsiSystem::fsiSystem
     {
         FatalIOErrorInFunction(mesh.schemesDict())
             << "Entry 'ddt(U)' or 'default' of ddtSchemes is steadyState, but"
-            << " objects move in time: take Euler"
+            << " objects move in time: take Euler or backward"
             << exit(FatalIOError);
     }
     renew();

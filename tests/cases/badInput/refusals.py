@@ -197,11 +197,11 @@ def check_control(report, case):
     case.control(deltaT=0.01)
 
     schemes = os.path.join(case.path, "system/fvSchemes")
-    for scheme in ("steadyState", "backward"):
+    for scheme in ("steadyState", "CrankNicolson"):
         with open(schemes, "a", encoding="ascii") as stream:
             stream.write(f"ddtSchemes {{ default {scheme}; }}\n")
         refused(report, f"time scheme {scheme}", case, "fsiPisoFoam",
-                ("FATAL IO ERROR", "fvSchemes", scheme, "Euler"))
+                ("FATAL IO ERROR", "fvSchemes", scheme, "backward"))
         case.write()
 
     with open(os.path.join(case.path, "system/fvSolution"), "a",
