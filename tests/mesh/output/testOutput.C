@@ -233,8 +233,8 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
 
     const auto globalRows = readTable(folder/"global.csv");
     ASSERT_EQ(globalRows.size(), 1u + 3);
-    EXPECT_EQ(globalRows[0].size(), 26u);
-    EXPECT_EQ(globalRows[3].size(), 26u);
+    EXPECT_EQ(globalRows[0].size(), 27u);
+    EXPECT_EQ(globalRows[3].size(), 27u);
     EXPECT_EQ(globalRows[3][0], "1");
 
     const std::string series = readText(folder/"surfaces.vtp.series");
