@@ -59,6 +59,11 @@ def dimensions(case, time, rank=""):
     return int(re.search(r"nDims\s+(\d)", text).group(1))
 
 
+def without_sums(text):
+    """The text of a state file without its check sums: it may be changed."""
+    return re.sub(r"(?s)\ncheckSums\s*\{.*?\}", "", text)
+
+
 def state(case, time, rank=""):
     """Of each object id: shape, and the positions of all nodes, boundary nodes
     first, and the number of boundary nodes; rank is a folder processorN."""

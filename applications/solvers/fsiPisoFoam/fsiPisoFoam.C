@@ -20,6 +20,8 @@ Description
         maxCo          | largest Courant number of fluid and objects | 0.5
         maxDeltaT      | largest time step [s]                 | deltaT
         maxTimeError   | largest error of a step (timeError); 0: none | 0
+        minDeltaT      | smallest time step, else the run ends [s]; 1e-4 of
+                         the largest since the tenth step     | 1e-4
         maxDiffusion   | largest dt nu d/h^2; 0: none          | 0
     \endtable
 
@@ -38,10 +40,13 @@ Description
 
 #include "fvCFD.H"
 #include "fvOptions.H"
+#include "caseLock.H"
+#include "fieldChecks.H"
 #include "fluidStep.H"
 #include "openfoamVersion.H"
 #include "optionSources.H"
 #include "timeStep.H"
+#include "writtenFiles.H"
 #include <malloc.h>
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -56,7 +61,9 @@ int main(int argc, char *argv[])
     #include "keepMemory.H"
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    fsi::writtenFiles::setAside(args);
     #include "createTime.H"
+    const fsi::caseLock lock(runTime);
     #include "createMesh.H"
     #include "createFields.H"
     #include "createFvOptions.H"
@@ -80,9 +87,10 @@ int main(int argc, char *argv[])
 
         step.advance(sources);
 
-        objects.write();
-        timeStep.write();
-        runTime.write();
+        fsi::writtenFiles::writeAndCheck
+        (
+            runTime, [&]() { timeStep.write(); objects.write(); }
+        );
     }
 
     objects.error().report(Info);

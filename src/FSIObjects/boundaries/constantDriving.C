@@ -3,6 +3,7 @@
 #include "constantDriving.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -25,7 +26,7 @@ Foam::fsi::constantDriving::constantDriving
 )
 :
     drivingForce(mesh, dict),
-    acceleration_(dict.get<vector>("acceleration"))
+    acceleration_(readFinite(dict, "acceleration"))
 {
     checkKeys(dict, {"type", "acceleration"});
 }

@@ -5,6 +5,7 @@
 #include "dictionaryCheck.H"
 #include "domainSides.H"
 #include "population.H"
+#include "readBetween.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -30,7 +31,7 @@ namespace fsi
 static vector targetVelocity(const dictionary& dict)
 {
     checkKeys(dict, {"type", "velocity", "relaxationTime"});
-    const vector v(dict.get<vector>("velocity"));
+    const vector v(readFinite(dict, "velocity"));
     if (mag(v) < VSMALL)
     {
         FatalIOErrorInFunction(dict)

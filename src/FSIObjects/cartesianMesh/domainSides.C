@@ -7,6 +7,49 @@
 #include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Fatal if a face is on none of the box's sides: a wall inside
+static void checkOnSide
+(
+    const polyPatch& patch,
+    const label facei,
+    const boundBox& bounds
+)
+{
+    const point& p = patch.faceCentres()[facei];
+    const vector& S = patch.faceAreas()[facei];
+    const scalar tolerance = 1e-6*bounds.mag();
+    for (direction d = 0; d < 3; ++d)
+    {
+        if
+        (
+            mag(S[d]) >= 0.5*mag(S)
+         && mag(p[d] - bounds.min()[d]) > tolerance
+         && mag(p[d] - bounds.max()[d]) > tolerance
+        )
+        {
+            FatalErrorInFunction
+                << "Patch " << patch.name() << " in constant/polyMesh/boundary"
+                << " has a face at " << p << ", inside the mesh's box "
+                << bounds << nl
+                << "Contact knows the sides of the box only. Make walls inside"
+                << " of objects with motion { type fixed; }, merge blocks"
+                << " that touch, and fill the box" << exit(FatalError);
+        }
+    }
+}
+
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::fsi::domainSides::kind
@@ -39,6 +82,10 @@ void Foam::fsi::domainSides::addPatch(const polyPatch& patch)
     {
         const point& p = patch.faceCentres()[facei];
         const vector& S = patch.faceAreas()[facei];
+        if (kind == WALL || kind == OPEN)
+        {
+            checkOnSide(patch, facei, bounds_);
+        }
         for (direction d = 0; d < 3; ++d)
         {
             // In a thin mesh all faces are near to the sides in z

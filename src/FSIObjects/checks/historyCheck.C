@@ -68,6 +68,10 @@ Foam::label Foam::fsi::historyCheck::check
     Ostream& os
 ) const
 {
+    for (const string& fault : history.faults())
+    {
+        os  << fault.c_str() << nl;
+    }
     if (history.size() == 0)
     {
         if (maxSpeed > 0 || minStep > 0)
@@ -77,7 +81,7 @@ Foam::label Foam::fsi::historyCheck::check
                 << exit(FatalError);
         }
         os  << "Steps: none are written" << nl;
-        return 0;
+        return history.faults().size();
     }
 
     const scalarField time(history.column("time"));
@@ -104,7 +108,7 @@ Foam::label Foam::fsi::historyCheck::check
     os  << "Steps: " << history.size() << ", " << max(lost.values)
         << " lost, area change " << max(area.values)
         << ", smallest step " << min(dt) << ", median " << median(dt);
-    label nFaults = 0;
+    label nFaults = history.faults().size();
     if (maxSpeed > 0)
     {
         const checkedValue speed

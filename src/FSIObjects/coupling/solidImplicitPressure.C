@@ -106,14 +106,12 @@ void Foam::fsi::solidImplicit::solveWithObjects
     loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
     loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
     loop.maxIter = readAtLeast(controls, "maxIter", 1000, 1);
-    multigrid_->solve
+    const auto performance = multigrid_->solve
     (
-        p.primitiveFieldRef(),
-        b,
-        p.name(),
-        loop,
-        &term
-    ).print(Info.masterStream(p.mesh().comm()));
+        p.primitiveFieldRef(), b, p.name(), loop, &term
+    );
+    performance.print(Info.masterStream(p.mesh().comm()));
+    p.mesh().setSolverPerformance(p.name(), performance);
 
     // Inside the objects nothing is solved for
     forAll(active, celli)

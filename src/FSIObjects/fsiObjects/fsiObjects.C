@@ -5,6 +5,8 @@
 #include "dictionaryCheck.H"
 #include "motionCheck.H"
 #include "objectContact.H"
+#include "restartFiles.H"
+#include "StringStream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -100,6 +102,8 @@ Foam::fsi::fsiObjects::fsiObjects
         dimensionedScalar("value", dimless, -1)
     )
 {
+    restartFiles::check(mesh);
+    checkMotion();
     Info<< "FSIObjects: " << system_.objects.size() << " objects, "
         << system_.objects.nNodes() << " nodes, coupling "
         << coupling_->type() << ", wall " << system_.wall->type()
@@ -247,6 +251,22 @@ Foam::scalar Foam::fsi::fsiObjects::courantNo() const
         largest = max(largest, cmptMax(cmptMag(vi)));
     }
     return largest*system_.deltaT()/system_.grid.spacing();
+}
+
+
+Foam::string Foam::fsi::fsiObjects::fastest() const
+{
+    const surfaceSet& surfaces = system_.objects.surfaces();
+    if (surfaces.velocities().empty())
+    {
+        return "";
+    }
+    const label nodei = findMax(mag(surfaces.velocities())());
+    OStringStream os;
+    os  << ": object "
+        << system_.objects.objectId(surfaces.pointObject()[nodei])
+        << " moves at " << mag(surfaces.velocities()[nodei]) << " m/s";
+    return os.str();
 }
 
 

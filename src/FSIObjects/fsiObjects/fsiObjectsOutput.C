@@ -2,6 +2,7 @@
 
 #include "fsiObjects.H"
 #include "objectContact.H"
+#include "restartFiles.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -126,6 +127,7 @@ void Foam::fsi::fsiObjects::write()
     boundaries_.write();
     system_.driving->write();
     timeError_.write();
+    restartFiles::write(mesh_);
 }
 
 

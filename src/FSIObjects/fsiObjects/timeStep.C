@@ -53,7 +53,10 @@ Foam::fsi::timeStep::timeStep(const Time& time)
     time_(time),
     level_(-1),
     warned_(false),
-    warnedOfError_(false)
+    warnedOfError_(false),
+    minDeltaT_(-1),
+    largest_(0),
+    nSteps_(0)
 {
     read();
     const dictionary state(readState(time_, "fsiTimeStep"));
@@ -85,6 +88,10 @@ void Foam::fsi::timeStep::read()
     maxCo_ = readPositive(controls, "maxCo", 0.5);
     maxDiffusion_ = readNonNegative(controls, "maxDiffusion", 0);
     maxTimeError_ = readNonNegative(controls, "maxTimeError", 0);
+    minDeltaT_ =
+        controls.found("minDeltaT")
+      ? readNonNegative(controls, "minDeltaT", 0)
+      : -1;
 }
 
 
@@ -183,6 +190,42 @@ Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
 }
 
 
+void Foam::fsi::timeStep::checkCollapse
+(
+    const scalar dt,
+    const scalar fluidSpeed,
+    const fsiObjects& objects
+)
+{
+    // The first steps are as long as the flow is at rest
+    if (++nSteps_ > 10)
+    {
+        largest_ = max(largest_, dt);
+    }
+    const scalar limit = minDeltaT_ >= 0 ? minDeltaT_ : 1e-4*largest_;
+    if (dt >= limit)
+    {
+        return;
+    }
+    FatalErrorInFunction
+        << "At time " << time_.timeName() << " the time step falls to " << dt
+        << " s, below " << limit << " s";
+    if (fluidSpeed >= 0)
+    {
+        FatalError<< ": the fluid moves at " << fluidSpeed << " m/s";
+    }
+    else
+    {
+        FatalError<< objects.fastest().c_str();
+    }
+    FatalError
+        << nl << "Such a speed is absurd, the run has lost its stability: take"
+        << " a smaller maxCo, give very soft bodies a viscosity (material) or a"
+        << " larger E, and let no inlet be blocked. If the speed is meant, set"
+        << " minDeltaT" << exit(FatalError);
+}
+
+
 Foam::scalar Foam::fsi::timeStep::next
 (
     const surfaceScalarField& phi,
@@ -196,7 +239,16 @@ Foam::scalar Foam::fsi::timeStep::next
     Info<< "Courant Number fluid: " << fluid << " objects: " << solid << endl;
 
     warn(max(fluid, solid), objects);
-    return adjust_ ? choose(limit(max(fluid, solid), objects)) : dt;
+    if (!adjust_)
+    {
+        return dt;
+    }
+    const scalar chosen = choose(limit(max(fluid, solid), objects));
+    checkCollapse
+    (
+        chosen, fluid > solid ? objects.speedOf(fluid) : -1, objects
+    );
+    return chosen;
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "levelSetUpdate.H"
+#include "readBetween.H"
 #include "blockInterpolation.H"
 #include "dictionaryCheck.H"
 #include "fetchSamples.H"
@@ -27,19 +28,11 @@ Foam::fsi::levelSetUpdate::levelSetUpdate
 )
 :
     grid_(grid),
-    bandWidth_(readPositive(dict, "bandWidth", 3)),
+    bandWidth_(readScalarBetween(dict, "bandWidth", 3, 3, 100)),
     nRebuilds_(0),
     centreSamples_(bandWidth_*grid.spacing()),
     cornerSamples_(bandWidth_*grid.spacing())
-{
-    if (bandWidth_ < 3)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'bandWidth' in dictionary " << dict.name() << " is "
-            << bandWidth_ << " cells but must be at least 3"
-            << exit(FatalIOError);
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //

@@ -151,6 +151,19 @@ void Foam::fsi::viscousCoupling::solve
     nodeVelocity(boundary);
     sweep(result, boundary);
     result.print(Info.masterStream(U.mesh().comm()));
+    // All components are swept together
+    U.mesh().setSolverPerformance
+    (
+        U.name(),
+        SolverPerformance<vector>
+        (
+            result.solverName(),
+            result.fieldName(),
+            vector::uniform(result.initialResidual()),
+            vector::uniform(result.finalResidual()),
+            labelVector::uniform(result.nIterations())
+        )
+    );
     warnUnconverged(result);
 
     matrix_.get(U.primitiveFieldRef());

@@ -2,43 +2,36 @@
 
 #include "csvTable.H"
 #include "OSspecific.H"
+#include "writtenFiles.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-namespace Foam
+void Foam::fsi::csvTable::open()
 {
-namespace fsi
-{
+    mkDir(file_.path());
+    os_.reset(new OFstream(file_));
+    if (!os_->good())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << file_ << exit(FatalError);
+    }
 
-//- The name of a file, after its folder is made
-static const fileName& inNewFolder(const fileName& file)
-{
-    mkDir(file.path());
-    return file;
+    rowWriter header(*this);
+    for (const word& column : columns_)
+    {
+        header << column;
+    }
 }
-
-} // End namespace fsi
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::csvTable::csvTable(const fileName& file, const wordList& columns)
 :
-    os_(inNewFolder(file)),
-    nColumns_(columns.size())
+    file_(file),
+    columns_(columns)
 {
-    if (!os_.good())
-    {
-        FatalErrorInFunction
-            << "Cannot write " << file << exit(FatalError);
-    }
-
-    rowWriter header(*this);
-    for (const word& column : columns)
-    {
-        header << column;
-    }
+    open();
 }
 
 
@@ -46,17 +39,37 @@ Foam::fsi::csvTable::rowWriter::rowWriter(csvTable& table)
 :
     table_(table),
     nValues_(0)
-{}
+{
+    if (!isFile(table_.file_, false))
+    {
+        WarningInFunction
+            << "Somebody removed " << table_.file_ << ": it is begun anew,"
+            << " without the lines before" << nl << endl;
+        table_.open();
+    }
+}
 
 
 Foam::fsi::csvTable::rowWriter::~rowWriter() noexcept(false)
 {
-    table_.os_.stdStream() << std::endl;
-    if (nValues_ != table_.nColumns_)
+    std::ostream& os = table_.os_->stdStream();
+    os << std::endl;
+    if (!os.good())
+    {
+        const fileName& file = table_.file_;
+        FatalErrorInFunction
+            << "Cannot write " << file << ". Is the disk full?" << nl
+            << writtenFiles::lastTimeNote
+               (
+                   file.substr(0, file.find("/postProcessing"))
+               ).c_str()
+            << exit(FatalError);
+    }
+    if (nValues_ != table_.columns_.size())
     {
         FatalErrorInFunction
-            << "A row of " << table_.os_.name() << " has " << nValues_
-            << " values for " << table_.nColumns_ << " columns"
+            << "A row of " << table_.file_ << " has " << nValues_
+            << " values for " << table_.columns_.size() << " columns"
             << exit(FatalError);
     }
 }
@@ -66,7 +79,7 @@ Foam::fsi::csvTable::rowWriter::~rowWriter() noexcept(false)
 
 std::ostream& Foam::fsi::csvTable::rowWriter::next()
 {
-    std::ostream& os = table_.os_.stdStream();
+    std::ostream& os = table_.os_->stdStream();
     if (nValues_++)
     {
         os << ',';

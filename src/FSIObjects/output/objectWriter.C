@@ -2,9 +2,47 @@
 
 #include "objectWriter.H"
 #include "dictionaryCheck.H"
+#include "FlatOutput.H"
 #include "functionObject.H"
 #include "objectPolyData.H"
+#include "surfacePredicates.H"
 #include "Switch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Warn of objects whose surface cuts itself
+static void warnOfCrossing(const scalar time, const population& objects)
+{
+    DynamicList<label> ids;
+    for (label objecti = 0; objecti < objects.size(); ++objecti)
+    {
+        if
+        (
+            objects.movesFreely(objecti)
+         && surfacePredicates::cutsItself(objects.surfaces(), objecti)
+        )
+        {
+            ids.append(objects.objectId(objecti));
+        }
+    }
+    if (ids.size())
+    {
+        WarningInFunction
+            << "At time " << time << " the surfaces of these objects cut"
+            << " themselves: " << flatOutput(ids) << nl
+            << "    The run is wrong from here: take a smaller deltaT or a"
+            << " finer mesh, or stiffer objects" << nl << endl;
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -89,6 +127,10 @@ void Foam::fsi::objectWriter::writeShapes
     const population& objects
 )
 {
+    if (globalTable_.valid())
+    {
+        warnOfCrossing(time, objects);
+    }
     if (surfaceSeries_.valid())
     {
         surfaceSeries_().write(surfacePolyData(objects), time);

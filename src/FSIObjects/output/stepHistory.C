@@ -5,6 +5,7 @@
 #include "ListOps.H"
 #include "OSspecific.H"
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -26,6 +27,16 @@ static DynamicList<string> split(const std::string& line)
         values.append(value);
     }
     return values;
+}
+
+
+//- Is the text a number or infinite; nan is not
+static bool isNumber(const string& text, scalar& value)
+{
+    // As strtod, knows inf and nan
+    char* end = nullptr;
+    value = std::strtod(text.c_str(), &end);
+    return !text.empty() && *end == '\0' && !std::isnan(value);
 }
 
 
@@ -90,23 +101,27 @@ void Foam::fsi::stepHistory::read(const fileName& file)
     std::string line;
     std::getline(is, line);
     const DynamicList<string> names(split(line));
-    while (std::getline(is, line))
+    scalarList numbers(names.size());
+    for (label linei = 2; std::getline(is, line); ++linei)
     {
         const DynamicList<string> values(split(line));
-        if (values.size() != names.size())
+        bool sound = values.size() == names.size();
+        for (label i = 0; sound && i < values.size(); ++i)
         {
-            FatalErrorInFunction
-                << "A line of " << file << " has " << values.size()
-                << " values for " << names.size() << " columns: "
-                << line.c_str() << exit(FatalError);
+            sound = isNumber(values[i], numbers[i]);
+        }
+        if (!sound)
+        {
+            faults_.append
+            (
+                "Line " + Foam::name(linei) + " of " + file + " is cut or holds"
+                " what is no number"
+            );
+            continue;
         }
         forAll(values, i)
         {
-            // As strtod, knows inf and nan
-            columns_(word(names[i])).append
-            (
-                std::strtod(values[i].c_str(), nullptr)
-            );
+            columns_(word(names[i])).append(numbers[i]);
         }
     }
 }

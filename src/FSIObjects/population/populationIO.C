@@ -2,8 +2,9 @@
 
 #include "population.H"
 #include "dictionaryCheck.H"
+#include "errorOf.H"
 #include "IOobjectList.H"
-#include "localIOdictionary.H"
+#include "stateChecks.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -37,7 +38,7 @@ IOobject input
 void Foam::fsi::population::readCounters()
 {
     IOobject io(input(time_, time_.timeName(), "uniform", "fsiPopulation"));
-    if (!io.typeHeaderOk<localIOdictionary>(false))
+    if (!stateFile::exists(io))
     {
         FatalErrorInFunction
             << "There is no population of objects in "
@@ -45,7 +46,8 @@ void Foam::fsi::population::readCounters()
             << "Run seedObjects, and decomposePar after it"
             << exit(FatalError);
     }
-    const localIOdictionary dict(io);
+    const dictionary dict(stateFile::read(io));
+    stateChecks::compareRanks(dict);
     checkKeys
     (
         dict,
@@ -62,10 +64,10 @@ void Foam::fsi::population::readCounters()
     nDims_ = n;
     planeZ_ = dict.get<scalar>("planeZ");
     nextObjectId_ = dict.get<label>("nextObjectId");
-    periods_ = dict.lookupOrDefault<Map<labelVector>>
-    (
-        "periods", Map<labelVector>()
-    );
+    if (dict.found("periods"))
+    {
+        periods_ = readEntry<Map<labelVector>>(dict, "periods");
+    }
 }
 
 
@@ -74,20 +76,41 @@ void Foam::fsi::population::readGroups()
     const IOobjectList files(time_, time_.caseConstant(), folder);
     for (const word& name : files.sortedNames())
     {
-        const IOdictionary shape
+        const dictionary shape
         (
-            input(time_, time_.caseConstant(), folder, name)
+            stateFile::read
+            (
+                input(time_, time_.caseConstant(), folder, name)
+            )
         );
         shapes_.append(new shapeTemplate(shape));
+        stateChecks::checkShape(shape, shapes_.last(), name, nDims_);
 
         // The state refers to what seedObjects wrote
-        const localIOdictionary state
+        const dictionary state
         (
-            input(time_, time_.timeName(), "uniform"/folder, name)
+            stateFile::read
+            (
+                input(time_, time_.timeName(), "uniform"/folder, name)
+            )
         );
+        stateChecks::compareRanks(state);
         motions_.append(state.subDict("motion"));
         groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
         groups_.last().read(state);
+        stateChecks::checkIds(state, groups_, nextObjectId_);
+    }
+
+    forAllConstIters(periods_, iter)
+    {
+        if (findObject(iter.key()) < 0)
+        {
+            FatalErrorInFunction
+                << "Entry 'periods' in "
+                << time_.timePath()/"uniform/fsiPopulation" << " has the id "
+                << iter.key() << ", but there is no such object"
+                << exit(FatalError);
+        }
     }
 
     const IOobjectList states(time_, time_.timeName(), "uniform"/folder);

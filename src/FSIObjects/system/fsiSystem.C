@@ -3,6 +3,8 @@
 #include "fsiSystem.H"
 #include "dictionaryCheck.H"
 #include "objectContact.H"
+#include "readBetween.H"
+#include "stateChecks.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -33,7 +35,7 @@ Foam::fsi::fsiSystem::fsiSystem
         ) == "linear"
     ),
     shortWaveStress(readNonNegative(dict, "shortWaveStress", 1)),
-    gravity(dict.lookupOrDefault<vector>("gravity", Zero)),
+    gravity(readFinite(dict, "gravity", Zero)),
     images_(sides.images()),
     surfaces_(&objects.surfaces())
 {
@@ -45,6 +47,7 @@ Foam::fsi::fsiSystem::fsiSystem
             << "; run seedObjects on this mesh"
             << exit(FatalError);
     }
+    stateChecks::checkMesh(objects, grid.bounds(), grid.thickness());
     if (grid.nDims() == 2 && gravity.z() != 0)
     {
         FatalIOErrorInFunction(dict)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "openAreaWall.H"
+#include "readBetween.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "openArea.H"
@@ -21,7 +22,7 @@ namespace fsi
 
 Foam::fsi::openAreaWall::openAreaWall(const dictionary& dict)
 :
-    minWallDistance_(readPositive(dict, "minWallDistance", 0.1))
+    minWallDistance_(readScalarBetween(dict, "minWallDistance", 0.1, 1e-6, 1))
 {}
 
 

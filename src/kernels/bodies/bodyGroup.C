@@ -2,6 +2,7 @@
 
 #include "bodyMotion.H"
 #include "elasticBodies.H"
+#include "groupEntries.H"
 #include "matrixEntry.H"
 #include "membraneBodies.H"
 #include "prescribedBodies.H"
@@ -146,7 +147,7 @@ void Foam::fsi::bodyGroup::write(Ostream& os) const
 
 void Foam::fsi::bodyGroup::read(const dictionary& dict)
 {
-    const labelList ids(dict.get<labelList>("objectIds"));
+    const labelList ids(readGroupIds(dict, shape_.name()));
     resize(ids.size());
     objectIds_ = ids;
     readMatrix(dict, "positions", positions_);

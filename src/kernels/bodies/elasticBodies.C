@@ -52,16 +52,8 @@ void Foam::fsi::elasticBodies::writeState(Ostream& os) const
 
 void Foam::fsi::elasticBodies::readState(const dictionary& dict)
 {
-    meanLoad_.setZero();
-    if (dict.found("meanLoad"))
-    {
-        readMatrix(dict, "meanLoad", meanLoad_);
-    }
-    linkLoad_.setZero();
-    if (dict.found("linkLoad"))
-    {
-        readMatrix(dict, "linkLoad", linkLoad_);
-    }
+    readMatrix(dict, "meanLoad", meanLoad_);
+    readMatrix(dict, "linkLoad", linkLoad_);
     deformableBodies::readState(dict);
 }
 

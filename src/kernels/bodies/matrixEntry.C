@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "matrixEntry.H"
+#include "errorOf.H"
 
 #include <algorithm>
 
@@ -27,7 +28,7 @@ void Foam::fsi::readMatrix
     Eigen::MatrixXd& matrix
 )
 {
-    const List<scalar> values(dict.get<List<scalar>>(key));
+    const List<scalar> values(readEntry<List<scalar>>(dict, key));
     if (values.size() != matrix.size())
     {
         FatalIOErrorInFunction(dict)
@@ -35,6 +36,7 @@ void Foam::fsi::readMatrix
             << values.size() << " values but must have "
             << label(matrix.size()) << exit(FatalIOError);
     }
+    checkValues(dict, key, values);
     std::copy_n(values.cbegin(), values.size(), matrix.data());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "membraneBodies.H"
+#include "errorOf.H"
 #include "innerFlow.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -40,7 +41,7 @@ static void readTriangles
     List<List<bodyElement>>& triangles
 )
 {
-    const labelList labels(dict.get<labelList>("triangles"));
+    const labelList labels(readEntry<labelList>(dict, "triangles"));
     label next = 0;
     for (List<bodyElement>& copy : triangles)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contact.H"
+#include "readBetween.H"
 #include "dictionaryCheck.H"
 
 #include <algorithm>
@@ -48,14 +49,17 @@ Foam::fsi::contact::contact
 )
 :
     scales_(readScales(dict, spacing, youngsModulus, viscosity)),
-    margin_(readNonNegative(dict, "margin", 1)*spacing),
+    margin_(readScalarBetween(dict, "margin", 1, 0, 20)*spacing),
     images_(images),
     finder_(dict.subOrEmptyDict("search"), nDims, images_),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
     film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
     defence_
     (
-        readPositive(dict, "minimumGap", 0.1)*spacing, margin_, nDims, images_
+        readScalarBetween(dict, "minimumGap", 0.1, 1e-6, 20)*spacing,
+        margin_,
+        nDims,
+        images_
     ),
     ranges_(scales_.range, readPositive(dict, "minimumGap", 0.1)*spacing)
 {
@@ -165,11 +169,11 @@ Foam::scalar Foam::fsi::contact::readRange
 )
 {
     const scalar cells = readPositive(dict, "range", 3);
-    if (cells < 0.01)
+    if (cells < 0.01 || cells > 20)
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'range' in dictionary " << dict.name() << " is " << cells
-            << "; it is a number of mesh cells, at least 0.01. Without contact:"
+            << "; it is a number of mesh cells, 0.01 to 20. Without contact:"
             << " law { type none; }" << exit(FatalIOError);
     }
     return cells*spacing;

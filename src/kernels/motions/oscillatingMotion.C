@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "oscillatingMotion.H"
+#include "readBetween.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
@@ -21,7 +22,7 @@ namespace fsi
 
 Foam::fsi::oscillatingMotion::oscillatingMotion(const dictionary& dict)
 :
-    amplitude_(dict.get<vector>("amplitude")),
+    amplitude_(readFinite(dict, "amplitude")),
     frequency_(readPositive(dict, "frequency"))
 {
     checkKeys(dict, {"type", "amplitude", "frequency"});

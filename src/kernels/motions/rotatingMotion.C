@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "rotatingMotion.H"
+#include "readBetween.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 
@@ -20,7 +21,7 @@ namespace fsi
 
 Foam::fsi::rotatingMotion::rotatingMotion(const dictionary& dict)
 :
-    angularVelocity_(dict.get<vector>("angularVelocity"))
+    angularVelocity_(readFinite(dict, "angularVelocity"))
 {
     checkKeys(dict, {"type", "angularVelocity"});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "translatingMotion.H"
+#include "readBetween.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 
@@ -20,7 +21,7 @@ namespace fsi
 
 Foam::fsi::translatingMotion::translatingMotion(const dictionary& dict)
 :
-    velocity_(dict.get<vector>("velocity"))
+    velocity_(readFinite(dict, "velocity"))
 {
     checkKeys(dict, {"type", "velocity"});
 }

@@ -117,6 +117,19 @@ PROPERTIES = [
     ("objects written backwards", "output { objectsEvery -1; }",
      ("objectsEvery", "-1", ">= 0")),
     ("gravity in z", "gravity (0 0 -9.81);", ("gravity", "-9.81", "in z")),
+    ("contact over a large range", "contact { range 40; }",
+     ("range", "40", "0.01 to 20")),
+    ("large margin", "contact { margin 1e9; }", ("margin", "0 to 20")),
+    ("large smallest gap", "contact { minimumGap 100; }",
+     ("minimumGap", "to 20")),
+    ("wide band", "levelSet { bandWidth 1e9; }", ("bandWidth", "3 to 100")),
+    ("distance of many cells", "minWallDistance 10;",
+     ("minWallDistance", "to 1")),
+    ("too many sweeps", "contact { law { maxSweeps 1e9; } }",
+     ("maxSweeps",)),
+    ("absurd gravity", "gravity (0 1e300 0);", ("gravity", "1e15")),
+    ("absurd driving", "drivingForce { type acceleration; "
+     "acceleration (1e300 0 0); }", ("acceleration", "1e15")),
     ("negative fluid density", "fluidDensity -1;", ("fluidDensity", "-1")),
 ]
 

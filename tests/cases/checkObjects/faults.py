@@ -29,7 +29,7 @@ def edit(case, change, time=None):
     """Applies change to the positions of the discs: lists of x and y of the
     nodes of each disc."""
     path = state_file(case, time)
-    text = results.read(path)
+    text = results.without_sums(results.read(path))
     flat = results.numbers(text, "positions")
     n_columns = 2*len(results.numbers(text, "objectIds"))
     n = len(flat)//n_columns
@@ -91,7 +91,7 @@ def lose(path):
     """One disc less than there ever were, in a box of walls."""
     shapes = os.path.join(os.path.dirname(os.path.dirname(path)),
                           "fsiPopulation")
-    text = results.read(shapes)
+    text = results.without_sums(results.read(shapes))
     write(shapes, re.sub(r"nextObjectId\s+2;", "nextObjectId 3;", text))
 
 
@@ -114,7 +114,7 @@ def beyond(case):
 
 def change_entry(case, name, pattern, replacement):
     """Replaces the last match of a pattern in a file of a case."""
-    text = results.read(case, name)
+    text = results.without_sums(results.read(case, name))
     last = list(re.finditer(pattern, text))[-1]
     write(os.path.join(case, name),
           text[:last.start()] + last.expand(replacement) + text[last.end():])

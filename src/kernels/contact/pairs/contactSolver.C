@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactSolver.H"
-#include "dictionaryCheck.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::contactSolver::contactSolver(const dictionary& dict)
 :
     tolerance_(readPositive(dict, "tolerance", 1e-4)),
-    maxSweeps_(label(readPositive(dict, "maxSweeps", 100)))
+    maxSweeps_(readBetween(dict, "maxSweeps", 100, 1, 1000000))
 {}
 
 

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fieldChecks.H"
+#include "dictionaryCheck.H"
+#include "fsiSystem.H"
+#include "sumOverRanks.H"
+#include "wallPolyPatch.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Fatal if a value is no number or too large
+template<class Type>
+static void checkValues
+(
+    const IOobject& field,
+    const word& place,
+    const UList<Type>& values
+)
+{
+    for (const Type& value : values)
+    {
+        for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
+        {
+            const scalar x = component(value, d);
+            if (!std::isfinite(x) || mag(x) >= GREAT)
+            {
+                FatalErrorInFunction
+                    << "Entry '" << place << "' in file " << field.objectPath()
+                    << " has the value " << value << " but all must be < 1e15"
+                    << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+template<class Field>
+static void checkField(const Field& field)
+{
+    checkValues(field, "internalField", field.primitiveField());
+    for (const auto& patch : field.boundaryField())
+    {
+        checkValues
+        (
+            field, patch.patch().name(),
+            static_cast<const UList<typename Field::value_type>&>(patch)
+        );
+    }
+}
+
+
+static void checkPressure(const volScalarField& p)
+{
+    for (const fvPatchScalarField& patch : p.boundaryField())
+    {
+        const word& name = patch.patch().name();
+        if (patch.type() == "fixedFluxPressure")
+        {
+            FatalErrorInFunction
+                << "Entry '" << name << "' in file " << p.objectPath()
+                << " is fixedFluxPressure, which this solver does not know:"
+                << " take zeroGradient" << exit(FatalError);
+        }
+        if (isA<wallPolyPatch>(patch.patch().patch()) && patch.fixesValue())
+        {
+            FatalErrorInFunction
+                << "Entry '" << name << "' in file " << p.objectPath()
+                << " gives the pressure at a wall: take zeroGradient, or make"
+                << " it a patch" << exit(FatalError);
+        }
+    }
+}
+
+
+//- Controls of a field's solver
+static void checkControls(const fvMesh& mesh, const word& field)
+{
+    const dictionary& solution = mesh.solutionDict();
+    if (!mesh.solutionDict().subOrEmptyDict("solvers").isDict(field))
+    {
+        FatalIOErrorInFunction(solution)
+            << "Entry 'solvers' in dictionary " << solution.name()
+            << " has no dictionary '" << field << "'" << exit(FatalIOError);
+    }
+    const dictionary& controls = mesh.solverDict(field);
+    for (const word& key : {"tolerance", "relTol"})
+    {
+        const scalar value = controls.lookupOrDefault<scalar>(key, 0);
+        if (!(value >= 0 && value < 1))
+        {
+            FatalIOErrorInFunction(controls)
+                << "Entry '" << key << "' in dictionary " << controls.name()
+                << " is " << value << " but must be >= 0 and < 1"
+                << exit(FatalIOError);
+        }
+    }
+    if (!controls.found("tolerance"))
+    {
+        IOWarningInFunction(controls)
+            << "Entry 'tolerance' is missing: its default is taken. Is it"
+            << " spelled otherwise?" << nl << endl;
+    }
+}
+
+
+//- Fatal if an inlet of given velocity has no cell with fluid behind it
+static void checkInlets(const volVectorField& U, const boolList& active)
+{
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& patch = U.boundaryField()[patchi];
+        const polyPatch& faces = patch.patch().patch();
+        if (faces.coupled() || isA<wallPolyPatch>(faces))
+        {
+            continue;
+        }
+        // Cells behind faces with inflow: all of them, and those with fluid
+        scalarField counts(2, Zero);
+        const scalarField inflow(-(patch & patch.patch().Sf()));
+        forAll(inflow, i)
+        {
+            if (patch.fixesValue() && inflow[i] > 0)
+            {
+                counts[0] += 1;
+                counts[1] += active[faces.faceCells()[i]] ? 1 : 0;
+            }
+        }
+        List<scalar> sums(counts);
+        sumOverRanks(sums);
+        if (sums[0] > 0 && sums[1] == 0)
+        {
+            FatalErrorInFunction
+                << "Entry '" << faces.name() << "' in file " << U.objectPath()
+                << " gives an inflow, but objects block the whole patch: no"
+                << " velocity of the fluid can be found" << exit(FatalError);
+        }
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::fieldChecks::check
+(
+    const volScalarField& p,
+    const volVectorField& U,
+    const fsiSystem& system
+)
+{
+    checkField(p);
+    checkField(U);
+    checkPressure(p);
+    checkControls(p.mesh(), p.name());
+    checkControls(p.mesh(), U.name());
+    checkInlets(U, system.geometry.activeCell());
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "restartFiles.H"
+#include "dictionaryCheck.H"
+#include "OSspecific.H"
+#include "stateChecks.H"
+#include "sumOverRanks.H"
+#include "surfaceFields.H"
+#include "volFields.H"
+#include "writtenDictionary.H"
+#include "writtenFiles.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- A file that a restart reads, and what happens without it
+struct restartFile
+{
+    const char* name;
+    const char* without;
+};
+
+static const restartFile fieldFiles[] =
+{
+    {"phi", "the fluxes are interpolated from U"},
+    {"faceHistory", "the velocities of faces start without their history"},
+    {"filmChange", "films between objects start anew"}
+};
+
+static const restartFile uniformFiles[] =
+{
+    {"fsiDrivingForce", "the driving force starts anew"},
+    {
+        "fsiBoundaries",
+        "feeds and the counts of objects that left start anew, and"
+        " checkObjects finds objects lost"
+    },
+    {"fsiContact", "objects that started close push each other apart"},
+    {"fsiTimeError", "the error of a step is not known in the first ones"},
+    {"fsiTimeStep", "the time step starts anew"}
+};
+
+
+//- Names of the fields of a type that are written
+template<class Field>
+static void appendWritten(const fvMesh& mesh, DynamicList<word>& names)
+{
+    for (const word& name : mesh.sortedNames<Field>())
+    {
+        if
+        (
+            mesh.lookupObject<Field>(name).writeOpt() == IOobject::AUTO_WRITE
+        )
+        {
+            names.append(name);
+        }
+    }
+}
+
+
+//- Warn if a listed file is not there, fatal if on some ranks or cut
+static void checkFile
+(
+    const dictionary& list,
+    const fileName& folder,
+    const restartFile& file
+)
+{
+    const fileName path(folder/file.name);
+    const bool found = isFile(path);
+    label nFound = 0;
+    const List<label> all(gatherOverRanks(label(found)));
+    for (const label n : all)
+    {
+        nFound += n;
+    }
+    if (nFound == 0)
+    {
+        IOWarningInFunction(list)
+            << "File " << path << " is missing, though the time was written"
+            << " with it: " << file.without << ", so that the run does not"
+            << " go on as if it had not stopped" << nl << endl;
+    }
+    else if (nFound < all.size())
+    {
+        FatalIOErrorInFunction(list)
+            << "File " << file.name << " of the time's folder is missing on "
+            << all.size() - nFound << " ranks: run reconstructPar and"
+            << " decomposePar, or remove it on all ranks"
+            << exit(FatalIOError);
+    }
+    if (found && isFile(path, false) && !writtenFiles::hasEnd(path))
+    {
+        FatalIOErrorInFunction(list)
+            << "File " << path << " is cut. Start from another time"
+            << exit(FatalIOError);
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::restartFiles::write(const fvMesh& mesh)
+{
+    const Time& time = mesh.time();
+    DynamicList<word> fields;
+    appendWritten<volScalarField>(mesh, fields);
+    appendWritten<volVectorField>(mesh, fields);
+    appendWritten<surfaceScalarField>(mesh, fields);
+    DynamicList<word> files;
+    for (const restartFile& file : uniformFiles)
+    {
+        if (isFile(time.timePath()/"uniform"/file.name))
+        {
+            files.append(file.name);
+        }
+    }
+    writeFile
+    (
+        time, time.timeName(), "uniform", "fsiRestart", IOstream::ASCII,
+        [&](Ostream& os)
+        {
+            os.writeEntry("fields", fields);
+            os.writeEntry("files", files);
+        }
+    );
+}
+
+
+void Foam::fsi::restartFiles::check(const fvMesh& mesh)
+{
+    const Time& time = mesh.time();
+    const dictionary list(readState(time, "fsiRestart"));
+    stateChecks::compareRanks(list);
+    if (list.empty())
+    {
+        return;
+    }
+    checkKeys(list, {"FoamFile", "fields", "files"});
+    if
+    (
+        time.writeFormat() == IOstream::ASCII
+     && IOstream::defaultPrecision() < 17
+    )
+    {
+        WarningInFunction
+            << "Fields are written with writePrecision "
+            << IOstream::defaultPrecision() << ": the run goes on from rounded"
+            << " ones. Take writeFormat binary, or writePrecision 17, for the"
+            << " run without a stop" << nl << endl;
+    }
+    const wordList fields(list.get<wordList>("fields"));
+    const wordList files(list.get<wordList>("files"));
+    for (const restartFile& file : fieldFiles)
+    {
+        if (fields.found(file.name))
+        {
+            checkFile(list, time.timePath(), file);
+        }
+    }
+    for (const restartFile& file : uniformFiles)
+    {
+        if (files.found(file.name))
+        {
+            checkFile(list, time.timePath()/"uniform", file);
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stateChecks.H"
+#include "stateFile.H"
+#include "sumOverRanks.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::stateChecks::compareRanks(const dictionary& state)
+{
+    const wordList sums(gatherOverRanks(stateFile::sum(state)));
+    forAll(sums, ranki)
+    {
+        if (sums[ranki] != sums[0])
+        {
+            FatalIOErrorInFunction(state)
+                << "Entry 'checkSums': rank " << ranki << " has other objects"
+                << " than rank 0 in its file of the name "
+                << fileName(state.name()).name() << nl
+                << "All ranks need the same state: run reconstructPar and"
+                << " decomposePar. redistributePar gives new ranks the state"
+                << " of another time" << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::fsi::stateChecks::checkShape
+(
+    const dictionary& dict,
+    const shapeTemplate& shape,
+    const word& name,
+    const direction nDims
+)
+{
+    if (shape.name() != name)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'name' in dictionary " << dict.name() << " is "
+            << shape.name() << " but must be that of the file, " << name
+            << exit(FatalIOError);
+    }
+    if (shape.nDims() != nDims)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'nDims' in dictionary " << dict.name() << " is "
+            << label(shape.nDims()) << " but uniform/fsiPopulation has "
+            << label(nDims) << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fsi::stateChecks::checkIds
+(
+    const dictionary& state,
+    const PtrList<bodyGroup>& groups,
+    const label nextObjectId
+)
+{
+    const bodyGroup& last = groups.last();
+    for (const label id : last.objectIds())
+    {
+        label others = -1;
+        for (const bodyGroup& group : groups)
+        {
+            others += group.objectIds().found(id);
+        }
+        if (others > 0 || id >= nextObjectId)
+        {
+            FatalIOErrorInFunction(state)
+                << "Entry 'objectIds' in dictionary " << state.name()
+                << " has the id " << id
+                << (
+                       others > 0
+                     ? ", which another shape has as well"
+                     : ", but must be below 'nextObjectId' of"
+                       " uniform/fsiPopulation"
+                   )
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+void Foam::fsi::stateChecks::checkMesh
+(
+    const population& objects,
+    const boundBox& bounds,
+    const scalar thickness
+)
+{
+    const bool planar = objects.nDims() == 2;
+    if
+    (
+        planar
+     && !(
+            objects.planeZ() >= bounds.min().z() - SMALL
+         && objects.planeZ() <= bounds.max().z() + SMALL
+        )
+    )
+    {
+        FatalErrorInFunction
+            << "Entry 'planeZ' in uniform/fsiPopulation is "
+            << objects.planeZ() << ", outside the mesh " << bounds
+            << ": run seedObjects on this mesh" << exit(FatalError);
+    }
+
+    // Wide, for obstacles that reach out and objects about to leave
+    const vector far(10*bounds.span());
+    forAll(objects.groups(), groupi)
+    {
+        const bodyGroup& group = objects.groups()[groupi];
+        const shapeTemplate& shape = group.shape();
+        if (planar && mag(shape.thickness() - thickness) > 1e-6*thickness)
+        {
+            FatalErrorInFunction
+                << "Entry 'thickness' in constant/fsiObjects/" << shape.name()
+                << " is " << shape.thickness() << " but the mesh has "
+                << thickness << ": run seedObjects on this mesh"
+                << exit(FatalError);
+        }
+        const Eigen::MatrixXd& x = group.positions();
+        for (Eigen::Index column = 0; column < x.cols(); ++column)
+        {
+            const direction d = column % objects.nDims();
+            if
+            (
+                x.col(column).minCoeff() < bounds.min()[d] - far[d]
+             || x.col(column).maxCoeff() > bounds.max()[d] + far[d]
+            )
+            {
+                FatalErrorInFunction
+                    << "Entry 'positions' in uniform/fsiObjects/"
+                    << shape.name() << ": object "
+                    << group.objectIds()[column/objects.nDims()]
+                    << " is far from the domain " << bounds
+                    << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "errorOf.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::fsi::caughtError Foam::fsi::errorOf(const std::function<void()>& code)
+{
+    const bool oldThrows = FatalError.throwExceptions();
+    const bool oldThrowsIO = FatalIOError.throwExceptions();
+    caughtError caught;
+    try
+    {
+        code();
+    }
+    catch (const IOerror& error)
+    {
+        caught.message = error.message();
+        caught.line = error.ioStartLineNumber();
+    }
+    catch (const error& error)
+    {
+        caught.message = error.message();
+    }
+    catch (const std::exception& error)
+    {
+        caught.message = error.what();
+    }
+    FatalError.throwExceptions(oldThrows);
+    FatalIOError.throwExceptions(oldThrowsIO);
+    return caught;
+}
+
+
+void Foam::fsi::checkValues
+(
+    const dictionary& dict,
+    const word& key,
+    const UList<scalar>& values
+)
+{
+    for (const scalar value : values)
+    {
+        // A comparison with NaN may be trapped
+        if (!std::isfinite(value) || mag(value) >= GREAT)
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << key << "' in dictionary " << dict.name()
+                << " has the value " << value << " but all must be < 1e15"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Damaged files: a program must go on, or end in an error that names the file
+and the entry; never by a signal, never without an end.
+
+    fuzz.py FOLDER [N [SEED]]
+
+A file of the case (state, shapes, dictionaries, tables of points, a surface)
+gets one fault: bytes changed, taken out or doubled, a number made absurd, a
+word exchanged, the end cut off. Half of the state files lose their check sums
+first, so that the checks behind them are met too.
+"""
+
+import os
+import random
+import re
+import shutil
+import subprocess
+import sys
+
+import fsiCase
+import results
+
+SHAPES = """
+disc
+{
+    shape { type circle; radius 0.15; }
+    material { density 1.1; E 20; springLaw { type Maxwell; viscosity 1; } }
+}
+cell
+{
+    shape { type circle; radius 0.15; }
+    material { type membrane; density 1; stretchingModulus 10;
+        bendingModulus 0.01; innerViscosity 0.1; }
+}
+ball
+{
+    shape { type polygon; file "points.csv"; }
+    material { type rigid; density 2; }
+    motion { type oscillating; amplitude (0.01 0 0); frequency 1; }
+}
+"""
+
+PLACEMENTS = """
+discs { type listed; shape disc; objects ({ centre (0.25 0.25 0); }); }
+cells { type listed; shape cell; objects ({ centre (0.75 0.75 0); }); }
+balls { type listed; shape ball; objects ({ centre (0.25 0.75 0); }); }
+"""
+
+PROPERTIES = """gravity (0 -1 0);
+contact { law { type elastic; } }
+levelSet { type rebuilt; }
+output { globalEvery 1; }
+"""
+
+TIME = "0.02"
+STATE = [f"{TIME}/uniform/fsiObjects/{s}" for s in ("disc", "cell", "ball")]
+STATE += [f"{TIME}/uniform/{f}" for f in ("fsiPopulation", "fsiRestart")]
+SHAPE_FILES = [f"constant/fsiObjects/{s}" for s in ("disc", "cell", "ball")]
+PROGRAMS = {
+    **{f: "fsiPisoFoam" for f in STATE + SHAPE_FILES},
+    "constant/fsiProperties": "fsiPisoFoam",
+    "system/seedObjectsDict": "seedObjects",
+    "points.csv": "seedObjects",
+    "postProcessing/fsiObjects/0/global.csv": "checkObjects",
+}
+NUMBERS = (b"0", b"-1", b"1e300", b"-1e300", b"nan", b"999999999999",
+           b"1e-300", b"2147483647", b"-2147483648", b"0.5", b"1000000")
+
+
+def change_bytes(data, dice):
+    """One to four bytes become others."""
+    data = bytearray(data)
+    for _ in range(dice.randint(1, 4)):
+        data[dice.randrange(len(data))] = dice.randrange(256)
+    return bytes(data)
+
+
+def flip_bit(data, dice):
+    """One bit the other way."""
+    data = bytearray(data)
+    data[dice.randrange(len(data))] ^= 1 << dice.randrange(8)
+    return bytes(data)
+
+
+def take_out(data, dice):
+    """A piece is missing."""
+    start = dice.randrange(len(data))
+    return data[:start] + data[start + dice.randint(1, 60):]
+
+
+def double(data, dice):
+    """A piece comes twice."""
+    start = dice.randrange(len(data))
+    end = start + dice.randint(1, 60)
+    return data[:end] + data[start:end] + data[end:]
+
+
+def cut(data, dice):
+    """The end is missing."""
+    return data[:dice.randrange(len(data))]
+
+
+def replace(pattern, choices):
+    """A change of one match of a pattern."""
+    def change(data, dice):
+        start = data.find(b"object ") if data.startswith(b"/*") else 0
+        found = [m for m in re.finditer(pattern, data) if m.start() > start]
+        if not found:
+            return flip_bit(data, dice)
+        match = dice.choice(found)
+        words = choices or [m.group() for m in found]
+        return (data[:match.start()] + dice.choice(words)
+                + data[match.end():])
+    return change
+
+
+CHANGES = (change_bytes, flip_bit, take_out, double, cut,
+           replace(rb"(?<![\w.])-?\d[\d.e+-]*", NUMBERS),
+           replace(rb"(?<![\w.])-?\d[\d.e+-]*", NUMBERS),
+           replace(rb"\b[A-Za-z]\w+", None))
+
+
+def keys(text):
+    """Words that may be the name of an entry, or a line's number."""
+    return set(re.findall(r"[A-Za-z]\w+", text)) - {"FoamFile", "version"}
+
+
+def names_place(message, path, text):
+    """Has the error the file, and an entry of it or a line?"""
+    if os.path.basename(path) not in message:
+        return False
+    return bool(re.search(r"\bline \d+|\bat line|\bheader\b", message)
+                or keys(text) & set(re.findall(r"[A-Za-z]\w+", message)))
+
+
+def outcome(case, path, program):
+    """What a program does with the case: a word and the end of its log."""
+    with open(os.path.join(case, "log"), "wb") as log:
+        try:
+            status = subprocess.run(
+                [program, "-case", case], stdout=log, stderr=log, timeout=40,
+                check=False).returncode
+        except subprocess.TimeoutExpired:
+            return "endless", ""
+    with open(os.path.join(case, "log"), encoding="utf-8",
+              errors="replace") as stream:
+        log = stream.read()
+    start = log.find("--> FOAM FATAL")
+    message = log[start:] if start >= 0 else log[-600:]
+    if status < 0 or status >= 128:
+        return "signal", message
+    if status == 0 or "Objects are not sound" in log:
+        return "accepted", ""
+    with open(os.path.join(case, path), encoding="utf-8",
+              errors="replace") as stream:
+        text = stream.read()
+    clear = start >= 0 and names_place(message, path, text)
+    return ("clear" if clear else "unclear"), message
+
+
+def set_up(folder, write_format):
+    """A case with its first time written."""
+    case = fsiCase.Case(
+        os.path.join(folder, "case" + write_format), cells=(20, 20),
+        deltaT=0.01,
+        endTime=TIME, writeInterval=2, walls={"top": "(1 0 0)"},
+        shapes=SHAPES, placements=PLACEMENTS, properties=PROPERTIES,
+        writeFormat=write_format)
+    with open(os.path.join(case.path, "points.csv"), "w",
+              encoding="ascii") as stream:
+        stream.write("0,0\n0.25,0\n0.3,0.2\n0.1,0.25\n0,0.2\n")
+    case.set_up()
+    case.run("fsiPisoFoam")
+    case.control(startFrom="latestTime", endTime=0.03, writeInterval=100)
+    return case.path
+
+
+def one(cases, folder, dice):
+    """One damaged file; its outcome, a description and the message."""
+    case = dice.choice(cases)
+    path = dice.choice(list(PROGRAMS))
+    program = PROGRAMS[path]
+    wrong = os.path.join(folder, "wrong")
+    shutil.rmtree(wrong, ignore_errors=True)
+    shutil.copytree(case, wrong)
+    file = os.path.join(wrong, path)
+    with open(file, "rb") as stream:
+        data = stream.read()
+    bare = path in STATE + SHAPE_FILES and dice.random() < 0.5
+    if bare:
+        data = results.without_sums(data.decode("latin1")).encode("latin1")
+    change = dice.choice(CHANGES)
+    with open(file, "wb") as stream:
+        stream.write(change(data, dice))
+    word, message = outcome(wrong, path, program)
+    name = getattr(change, "__name__")
+    return word, f"{path} {name}{' without sums' if bare else ''}", message
+
+
+def main(folder, count=200, seed=1):
+    """The damaged files."""
+    report = fsiCase.Report()
+    cases = [set_up(folder, f) for f in ("ascii", "binary")]
+    dice = random.Random(int(seed))
+    counts = dict.fromkeys(
+        ("accepted", "clear", "unclear", "signal", "endless"), 0)
+    for i in range(int(count)):
+        word, name, message = one(cases, folder, dice)
+        counts[word] += 1
+        if word in ("unclear", "signal", "endless"):
+            print(f"    {i}: {word}: {name}: {' '.join(message.split())[:300]}",
+                  flush=True)
+            keep = os.environ.get("FSI_KEEP")
+            if keep:
+                shutil.move(os.path.join(folder, "wrong"),
+                            os.path.join(folder, f"{word}{i}"))
+    print("    " + ", ".join(f"{n} {word}" for word, n in counts.items()))
+    errors = counts["clear"] + counts["unclear"]
+    report.check("no signal", counts["signal"] == 0, str(counts))
+    report.check("no endless run", counts["endless"] == 0, str(counts))
+    report.check("98 % of the errors name file and entry",
+                 counts["unclear"] <= max(0.02*errors, 1), str(counts))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

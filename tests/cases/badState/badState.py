@@ -1,0 +1,263 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A damaged file of a case's state or shapes ends the run in an error that
+names file and entry, whether or not the file still has its check sums;
+missing restart files are noticed, and so are damaged tables and ranks that
+hold different objects.
+
+    badState.py FOLDER
+"""
+
+import glob
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import fsiCase
+import results
+
+SHAPES = """
+disc
+{
+    shape { type circle; radius 0.15; }
+    material { density 1.1; E 20; springLaw { type Maxwell; viscosity 1; } }
+}
+cell
+{
+    shape { type circle; radius 0.15; }
+    material { type membrane; density 1; stretchingModulus 10;
+        bendingModulus 0.01; innerViscosity 0.1; }
+}
+"""
+
+PLACEMENTS = """
+discs { type listed; shape disc; objects ({ centre (0.3 0.75 0); }
+    { centre (0.3 0.3 0); }); }
+cells { type listed; shape cell; objects ({ centre (0.7 0.7 0); }); }
+"""
+
+STATE = "0.02/uniform/fsiObjects/disc"
+SHAPE = "constant/fsiObjects/disc"
+COUNTS = "0.02/uniform/fsiPopulation"
+
+OLD_ID = r"(objectIds\s+(?:List<label>\s+)?\d+\s*\(\s*)\d"
+
+# What is wrong: file, pattern, replacement, the entry that is named
+EDITS = [
+    (STATE, OLD_ID, r"\g<1>7", "objectIds"),
+    (STATE, OLD_ID, r"\g<1>1", "objectIds"),
+    (STATE, OLD_ID, r"\g<1>-1", "objectIds"),
+    (STATE, r"shape\s+disc", "shape foo", "shape"),
+    (STATE, r"(positions\s+List<scalar>\s+\d+\s*\(\s*)\S+", r"\g<1>1e300",
+     "positions"),
+    (STATE, r"(positions\s+List<scalar>\s+\d+\s*\(\s*)\S+", r"\g<1>nan",
+     "positions"),
+    (STATE, r"(positions\s+List<scalar>\s+\d+\s*\(\s*)\S+", r"\g<1>1e3",
+     "positions"),
+    (STATE, r"(positions\s+List<scalar>\s+)\d+", r"\g<1>999999999",
+     "positions"),
+    (STATE, r"(positions\s+List<scalar>\s+)\d+", r"\g<1>-5", "positions"),
+    (STATE, r"(?s)velocities .*?;", "", "velocities"),
+    (STATE, r"(?s)meanLoad .*?;", "", "meanLoad"),
+    (STATE, r"(springStates\s+List<scalar>\s+\d+\s*\(\s*)\S+",
+     r"\g<1>1e200", "springStates"),
+    (SHAPE, r"nDims\s+2", "nDims 258", "nDims"),
+    (SHAPE, r"name\s+disc", "name foo", "name"),
+    (SHAPE, r"thickness\s+\S+;", "thickness 7;", "nodeMasses"),
+    (SHAPE, r"density\s+\S+;", "density 7;", "nodeMasses"),
+    (SHAPE, r"nBoundaryNodes\s+\d+", "nBoundaryNodes -5", "nBoundaryNodes"),
+    (SHAPE, r"nBoundaryNodes\s+\d+", "nBoundaryNodes 5", "faces"),
+    (SHAPE, r"(faces\s+(?:List<label>\s+)?\d+\s*\(\s*)\d+", r"\g<1>99999",
+     "faces"),
+    (SHAPE, r"(elements\s+(?:List<label>\s+)?\d+\s*\(\s*)\d+", r"\g<1>-7",
+     "elements"),
+    (SHAPE, r"(nodeMasses\s+(?:List<scalar>\s+)?\d+\s*\(\s*)\S+", r"\g<1>0",
+     "nodeMasses"),
+    (SHAPE, r"nodeSpacing\s+\S+;", "nodeSpacing -1;", "nodeSpacing"),
+    (COUNTS, r"nDims\s+2", "nDims 258", "nDims"),
+    (COUNTS, r"planeZ\s+\S+;", "planeZ 55;", "planeZ"),
+    (COUNTS, r"nextObjectId\s+\d", "nextObjectId 1", "objectIds"),
+    (COUNTS, r"(nextObjectId\s+\d;)", r"\1 periods 1((9 (1 0 0)));",
+     "periods"),
+]
+
+# Of those, the ones that only a check sum can notice
+SILENT = [
+    (STATE, r"(velocities\s+List<scalar>\s+\d+\s*\(\s*\S+\s+)\S+",
+     r"\g<1>0.125", "velocities"),
+    (SHAPE, r"nodeSpacing\s+\S+;", "nodeSpacing 0.011;", "nodeSpacing"),
+    (SHAPE, r"\bE\s+20;", "E 21;", "material"),
+]
+
+
+def write(path, text):
+    """Writes a file."""
+    with open(path, "w", encoding="ascii") as stream:
+        stream.write(text)
+
+
+def copy_of(case, folder):
+    """A fresh copy of a case."""
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(case, folder)
+    return folder
+
+
+def failure(case, program="fsiPisoFoam", ranks=1):
+    """The message of a run that ends in an error; the log of any other."""
+    try:
+        return fsiCase.run(case, program, ranks=ranks, limit=100)
+    except RuntimeError:
+        log = results.read(case, "log." + program)
+        return log[log.find("--> FOAM FATAL"):]
+
+
+def check_edits(report, case, folder):
+    """Each edit, with check sums and without."""
+    wrong = os.path.join(folder, "wrong")
+    for path, pattern, change, entry in EDITS + SILENT:
+        for sums in (True, False):
+            if not sums and (path, pattern, change, entry) in SILENT:
+                continue
+            copy_of(case, wrong)
+            text = results.read(wrong, path)
+            new = re.sub(pattern, change, text, count=1)
+            if new == text:
+                report.check(f"{entry}: edited", False, pattern)
+                continue
+            write(os.path.join(wrong, path),
+                  new if sums else results.without_sums(new))
+            message = failure(wrong)
+            name = (f"{os.path.basename(path)}, {pattern} to {change}, "
+                    f"{'with' if sums else 'without'} sums")
+            start = message.startswith("--> FOAM FATAL")
+            # With sums, what was changed is named
+            named = re.search(rf"'{entry}'", message) or (
+                sums and re.search(r"'(?:\w+)'", message))
+            report.check(name, start and named
+                         and os.path.basename(path) in message,
+                         " ".join(message.split())[:400])
+
+
+def check_missing(report, case, folder):
+    """Restart files that are not there, or cut."""
+    wrong = os.path.join(folder, "wrong")
+    for name in ("phi", "faceHistory"):
+        copy_of(case, wrong)
+        os.remove(os.path.join(wrong, "0.02", name))
+        log = failure(wrong)
+        report.check(f"{name} missing: a warning",
+                     "Warning" in log and f'/{name}" is missing' in log
+                     and log.rstrip().endswith("End"), log[-300:])
+
+
+def check_killed(report, case, folder):
+    """A time that is half written is set aside."""
+    for name in ("p", "faceHistory", "uniform/fsiObjects/disc"):
+        wrong = copy_of(case, os.path.join(folder, "wrong"))
+        half = os.path.join(wrong, "0.03")
+        shutil.copytree(os.path.join(wrong, "0.02"), half)
+        path = os.path.join(half, name)
+        write(path, results.read(path)[:1000 if name == "p" else -100])
+        log = failure(wrong)
+        report.check(f"a time with half of {name} is set aside",
+                     "is incomplete" in log and "Time = 0.03" in log
+                     and os.path.isdir(half + ".incomplete")
+                     and log.rstrip().endswith("End"), log[-300:])
+
+
+def check_tables(report, case, folder):
+    """Damaged lines of global.csv."""
+    for name, change in (
+            ("cut", lambda rows: rows[:-1] + [rows[-1][:30]]),
+            ("nan", lambda rows: rows[:-1]
+             + [re.sub(r",[^,]*,", ",nan,", rows[-1], count=1)])):
+        wrong = copy_of(case, os.path.join(folder, "wrong"))
+        path = glob.glob(os.path.join(
+            wrong, "postProcessing/fsiObjects/*/global.csv"))[0]
+        rows = results.read(path).split("\n")[:-1]
+        write(path, "\n".join(change(rows)) + "\n")
+        try:
+            fsiCase.run(wrong, "checkObjects")
+        except RuntimeError:
+            pass
+        log = results.read(wrong, "log.checkObjects")
+        report.check(f"a {name} line of global.csv is a fault",
+                     "Objects are not sound" in log and "Line 3 of" in log,
+                     log[-300:])
+
+
+def check_ranks(report, case, folder):
+    """One rank's state is that of another time, or misses a field."""
+    two = copy_of(case, os.path.join(folder, "ranks"))
+    write(os.path.join(two, "system/decomposeParDict"),
+          "FoamFile { version 2.0; format ascii; class dictionary; object "
+          "decomposeParDict; }\nnumberOfSubdomains 2; method simple; "
+          "simpleCoeffs { n (2 1 1); delta 0.001; }\n")
+    fsiCase.run(two, "decomposePar", "-latestTime")
+    rank = os.path.join(two, "processor1")
+    os.remove(os.path.join(rank, "0.02/phi"))
+    log = failure(two, ranks=2)
+    report.check("phi missing on one rank", "FATAL" in log and "phi" in log,
+                 log[-300:])
+    fsiCase.run(two, "decomposePar", "-latestTime", "-force")
+    # decomposePar makes a link of the folder
+    uniform = os.path.join(rank, "0.02/uniform")
+    os.remove(uniform)
+    shutil.copytree(os.path.join(two, "0.02/uniform"), uniform)
+    shutil.copy(os.path.join(two, "0/uniform/fsiObjects/disc"),
+                os.path.join(rank, STATE))
+    log = failure(two, ranks=2)
+    report.check("ranks hold different objects",
+                 "FATAL" in log and "other objects than rank 0" in log
+                 and "disc" in log, log[-300:])
+
+
+def check_lock(report, case, folder):
+    """A second run in the folder is refused."""
+    two = copy_of(case, os.path.join(folder, "two"))
+    fsiCase.set_entry(os.path.join(two, "system/controlDict"), "endTime", 900)
+    with open(os.path.join(two, "log.first"), "w", encoding="ascii") as log:
+        with subprocess.Popen(["fsiPisoFoam", "-case", two], stdout=log,
+                              stderr=log) as first:
+            path = os.path.join(two, "log.first")
+            while first.poll() is None and "Time = " not in results.read(path):
+                pass
+            message = failure(two)
+            shutil.rmtree(os.path.join(two, "postProcessing"))
+            size = os.path.getsize(path)
+            while (first.poll() is None
+                   and os.path.getsize(path) < size + 4000):
+                pass
+            first.kill()
+    report.check("a second run in the folder is refused",
+                 "Another run" in message, message[-300:])
+    report.check("removed tables are reported",
+                 "Somebody removed" in results.read(path), "no warning")
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    case = fsiCase.Case(
+        os.path.join(folder, "case"), cells=(24, 24), deltaT=0.01,
+        endTime=0.02, writeInterval=2, walls={"top": "(1 0 0)"},
+        shapes=SHAPES, placements=PLACEMENTS, writePrecision=17)
+    if report.attempt("set-up", case.set_up) is None:
+        return
+    if report.attempt("run", case.run, "fsiPisoFoam") is None:
+        return
+    case.control(startFrom="latestTime", endTime=0.03)
+    log = fsiCase.run(copy_of(case.path, os.path.join(folder, "good")),
+                      "fsiPisoFoam")
+    report.check("the sound state goes on", log.rstrip().endswith("End")
+                 and "Warning" not in log, log[-300:])
+    for part in (check_edits, check_missing, check_killed, check_tables,
+                 check_ranks, check_lock):
+        report.attempt(part.__name__, part, report, case.path, folder)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
