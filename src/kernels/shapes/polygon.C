@@ -51,7 +51,7 @@ static bool hasNumber(const std::string& line)
 }
 
 
-//- Take x and y of a line; columns after them are allowed
+//- Take x and y of a line, < 1e15; columns after them are allowed
 static bool readPoint(const std::string& line, point& p)
 {
     std::istringstream values(line);
@@ -61,6 +61,8 @@ static bool readPoint(const std::string& line, point& p)
     return
         values >> p.x() >> comma >> p.y()
      && comma == ','
+     && mag(p.x()) < GREAT
+     && mag(p.y()) < GREAT
      && (!(values >> after) || after == ',');
 }
 
@@ -144,7 +146,8 @@ Foam::pointField Foam::fsi::polygon::readCsv
             FatalIOErrorInFunction(dict)
                 << "Entry 'file' in dictionary " << dict.name()
                 << ": line " << lineNumber << " of " << file
-                << " is not a pair x, y with a comma" << exit(FatalIOError);
+                << " is not a pair x, y with a comma, below 1e15"
+                << exit(FatalIOError);
         }
     }
     return pointField(std::move(points));

@@ -55,6 +55,8 @@ SEEDING = [
      ("nowhere.csv",)),
     ("unreadable polygon", {"shape": 'type polygon; file "bad.csv";'},
      ("bad.csv",)),
+    ("polygon of absurd size", {"shape": 'type polygon; file "absurd.csv";'},
+     ("absurd.csv", "line 2", "1e15")),
     ("polygon without commas", {"shape": 'type polygon; file "spaces.csv";'},
      ("spaces.csv", "line 1", "comma")),
     ("object larger than the domain", {"shape": "type circle; radius 2;"},
@@ -168,6 +170,7 @@ def check_seeding(report, case):
     """What seedObjects refuses."""
     for name, content in (("bad.csv", "a,b\n0,zero\n"),
                           ("crossed.csv", "0,0\n0.2,0.2\n0.2,0\n0,0.2\n"),
+                          ("absurd.csv", "0,0\n1e300,0\n0,1e300\n"),
                           ("spaces.csv", "0 0\n0.2 0\n0.2 0.2\n")):
         with open(os.path.join(case.path, name), "w",
                   encoding="ascii") as stream:
