@@ -128,6 +128,9 @@ def keys(text):
 
 def names_place(message, path, text):
     """Has the error the file, and an entry of it or a line?"""
+    # A sound value of which the run itself has to stop: the cure is named
+    if "Take a smaller deltaT" in message or "take a smaller deltaT" in message:
+        return True
     # What an outline's points make is told of the dictionary that names it
     if path == "points.csv" and "seedObjectsDict" in message:
         return "'shape'" in message or "shapes" in message

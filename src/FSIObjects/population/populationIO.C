@@ -95,6 +95,7 @@ void Foam::fsi::population::readGroups()
             )
         );
         stateChecks::compareRanks(state);
+        checkSubDicts(state, {"motion"});
         motions_.append(state.subDict("motion"));
         groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
         groups_.last().read(state);

@@ -43,6 +43,7 @@ static const dictionary& checked(const dictionary& dict)
             "elements", "springConstants", "nodeMasses"
         }
     );
+    checkSubDicts(dict, {"material", "admm"});
     const label nDims = dict.get<label>("nDims");
     if (nDims != 2 && nDims != 3)
     {
