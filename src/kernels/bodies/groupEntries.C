@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "groupEntries.H"
+#include "labelField.H"
 #include "dictionaryCheck.H"
 #include "errorOf.H"
 #include "FlatOutput.H"
