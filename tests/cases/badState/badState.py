@@ -227,7 +227,10 @@ def check_lock(report, case, folder):
             while first.poll() is None and "Time = " not in results.read(path):
                 pass
             message = failure(two)
-            shutil.rmtree(os.path.join(two, "postProcessing"))
+            # Not the folder: the run may be making a file in it
+            for table in glob.glob(os.path.join(
+                    two, "postProcessing/fsiObjects/*/global.csv")):
+                os.remove(table)
             size = os.path.getsize(path)
             while (first.poll() is None
                    and os.path.getsize(path) < size + 4000):
