@@ -53,7 +53,8 @@ def run_steps(path, *command, ranks=1, limit=3600):
                            f"{process.returncode}: {text[-400:]}")
     steps = [b - a for a, b in zip(clock, clock[1:])][WARM_UP:]
     counts = [int(n) for n in
-              re.findall(r"for p, .*No Iterations (\d+)", text)]
+              re.findall(r"(?m)^Time = .* p (\d+)", text)
+              or re.findall(r"for p, .*No Iterations (\d+)", text)]
     return {"seconds": statistics.median(steps), "steps": len(steps),
             "iterations": statistics.median(counts) if counts else 0,
             "memory": usage.ru_maxrss/1024}

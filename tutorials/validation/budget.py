@@ -49,7 +49,7 @@ def driving():
             placements="a { type packed; shape disc; areaFraction 0.3; "
                        "wallGap 0.04; minimumGap 0.04; }",
             properties="drivingForce { type meanVelocity; "
-                       "velocity (1 0 0); }",
+                       "velocity (1 0 0); } output { log full; }",
             deltaT=0.2/cells, endTime=6, writeInterval=0.1)
         minutes = case.solve()
         log = results.read(case.path, "log.fsiPisoFoam")

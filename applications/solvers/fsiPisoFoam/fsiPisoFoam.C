@@ -80,10 +80,9 @@ int main(int argc, char *argv[])
         if (timeStep.adjusts())
         {
             runTime.setDeltaT(deltaT);
-            Info<< "deltaT = " << runTime.deltaTValue() << endl;
         }
         ++runTime;
-        Info<< "Time = " << fsi::nameOf(runTime) << endl;
+        objects.log().name();
 
         step.advance(sources);
 
@@ -94,6 +93,7 @@ int main(int argc, char *argv[])
     }
 
     objects.error().report(Info);
+    objects.log().report(Info);
     objects.timer().report(Info);
     Info<< "End\n" << endl;
 

@@ -164,7 +164,12 @@ void Foam::fsi::meanVelocityDriving::update
     change_ = acceleration_ - last;
     mean_ = mean;
     momentum_ = momentum;
-    Info<< "Mean velocity " << mean_ << ", driving acceleration "
+}
+
+
+void Foam::fsi::meanVelocityDriving::log(Ostream& os) const
+{
+    os  << "Mean velocity " << mean_ << ", driving acceleration "
         << acceleration_ << endl;
 }
 

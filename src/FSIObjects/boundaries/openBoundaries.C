@@ -68,12 +68,13 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
 }
 
 
-void Foam::fsi::openBoundaries::warnFeedingSide(const label sidei) const
+void Foam::fsi::openBoundaries::warnFeedingSide(const label sidei)
 {
     for (const objectFeed& feed : feeds_)
     {
         if (findIndex(sides_.patches(sidei), feed.patch()) >= 0)
         {
+            ++nWarnings_;
             WarningInFunction
                 << "Patch " << feed.patch() << " feeds objects: one that leaves"
                 << " through it has been pushed out by the flow." << nl
@@ -126,7 +127,8 @@ Foam::fsi::openBoundaries::openBoundaries
     grid_(grid),
     sides_(sides),
     objects_(objects),
-    removed_(6, Zero)
+    removed_(6, Zero),
+    nWarnings_(0)
 {
     const dictionary& dict = fsiProperties.subOrEmptyDict("boundaries");
     checkKeys(dict, {"feed"});

@@ -2,6 +2,7 @@
 
 #include "pressurePasses.H"
 #include "dictionaryCheck.H"
+#include "runLog.H"
 #include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -47,6 +48,19 @@ void Foam::fsi::pressurePasses::measure
     sumOverRanks(squares);
     error_ = sqrt(squares[0]/max(squares[1], VSMALL));
     ++done_;
+}
+
+
+void Foam::fsi::pressurePasses::report(runLog& log) const
+{
+    if (log.full())
+    {
+        Info<< "Passes: " << done_ << ", splitting error: " << error_ << endl;
+    }
+    if (done_ > 1)
+    {
+        log.count("passes", done_);
+    }
 }
 
 

@@ -206,8 +206,7 @@ bool Foam::fsi::solidImplicit::again(volScalarField& p, const volVectorField&)
 {
     if (!passes_.more())
     {
-        Info<< "Passes: " << passes_.done() << ", splitting error: "
-            << passes_.error() << endl;
+        passes_.report(*system_.log);
         return false;
     }
 

@@ -110,7 +110,7 @@ void Foam::fsi::solidImplicit::solveWithObjects
     (
         p.primitiveFieldRef(), b, p.name(), loop, &term
     );
-    performance.print(Info.masterStream(p.mesh().comm()));
+    system_.log->solved(performance);
     p.mesh().setSolverPerformance(p.name(), performance);
 
     // Inside the objects nothing is solved for

@@ -167,6 +167,10 @@ void Foam::fsi::fsiObjects::startStep
         coupling_->renew();
     }
     system_.driving->update(U, system_.objects, system_.fluidDensity);
+    if (system_.log->full())
+    {
+        system_.driving->log(Info);
+    }
 
     fsiSystem::groupNodal force;
     system_.objects.layout().zero(force);

@@ -1,43 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiObjects.H"
+#include "meanFluidVelocity.H"
 #include "objectContact.H"
 #include "restartFiles.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Mean velocity of cells of positive signed distance, of all ranks [m/s]
-static vector meanFluidVelocity
-(
-    const volVectorField& U,
-    const levelSetUpdate& levelSet,
-    const labelList& halo
-)
-{
-    const scalarField& V = U.mesh().V();
-    scalar volume = 0;
-    vector sum(Zero);
-    forAll(halo, celli)
-    {
-        if (levelSet.cellDistance()[halo[celli]] > 0)
-        {
-            volume += V[celli];
-            sum += V[celli]*U[celli];
-        }
-    }
-    reduce(sum, sumOp<vector>());
-    reduce(volume, sumOp<scalar>());
-    return sum/max(volume, VSMALL);
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -65,11 +31,20 @@ void Foam::fsi::fsiObjects::report()
     record.rebuilds = system_.levelSet->nRebuilds();
 
     record.timeError = timeError_.value();
-
     timer_.endStep(time.value(), time.deltaTValue(), time.endTime().value());
     record.seconds = timer_.seconds();
     writer_.writeStep(record);
-    record.log(Info, timer_);
+    system_.log->setWarnings
+    (
+        "object pushed out at a feed",
+        boundaries_.nWarnings()
+    );
+    system_.log->setWarnings
+    (
+        "contact gives energy",
+        system_.contacts->warned()
+    );
+    system_.log->finish(record, timer_);
 }
 
 

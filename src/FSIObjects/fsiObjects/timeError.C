@@ -76,8 +76,6 @@ void Foam::fsi::timeError::measure
     ++nSteps_;
     mean_ += (value() - mean_)/min(nSteps_, meanSteps);
     nAbove_ += value() > warnAbove;
-    Info<< "Time error: " << value() << ", of the splitting: " << ofSplitting_
-        << endl;
 }
 
 

@@ -117,6 +117,7 @@ void Foam::fsi::timeStep::warn
     if (!adjust_ && !warned_ && courantNo > 2)
     {
         warned_ = true;
+        objects.log().warned("Courant number above 2");
         WarningInFunction
             << "At a Courant number above 2 the relaxation of U may diverge."
             << nl
@@ -127,6 +128,7 @@ void Foam::fsi::timeStep::warn
     if (!limited && !warnedOfError_ && objects.error().tooLarge())
     {
         warnedOfError_ = true;
+        objects.log().warned("time error");
         WarningInFunction
             << "The step is too large: its error is estimated as "
             << 100*objects.error().mean() << " % of the velocity in the mean"
@@ -236,7 +238,8 @@ Foam::scalar Foam::fsi::timeStep::next
     const scalar dt = time_.deltaTValue();
     const scalar fluid = dt*largestRate(phi);
     const scalar solid = objects.courantNo();
-    Info<< "Courant Number fluid: " << fluid << " objects: " << solid << endl;
+    runLog& log = objects.log();
+    log.start(fluid, solid);
 
     warn(max(fluid, solid), objects);
     if (!adjust_)

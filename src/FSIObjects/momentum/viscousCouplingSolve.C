@@ -150,7 +150,7 @@ void Foam::fsi::viscousCoupling::solve
     );
     nodeVelocity(boundary);
     sweep(result, boundary);
-    result.print(Info.masterStream(U.mesh().comm()));
+    system_.log->solved(result);
     // All components are swept together
     U.mesh().setSolverPerformance
     (

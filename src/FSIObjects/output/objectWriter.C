@@ -61,7 +61,7 @@ Foam::fsi::objectWriter::objectWriter
     checkKeys
     (
         dict,
-        {"surfaces", "springs", "binary", "globalEvery", "objectsEvery"}
+        {"surfaces", "springs", "binary", "globalEvery", "objectsEvery", "log"}
     );
     if (!Pstream::master())
     {

@@ -114,7 +114,7 @@ void Foam::fsi::stepRecord::log(Ostream& os, const stepTimer& timer) const
         << ", rebuilds " << rebuilds
         << ", step " << timer.stepSeconds() << " s"
         << ", remaining " << stepTimer::clockString(timer.remaining()).c_str()
-        << endl;
+        << nl << "Time error: " << timeError << endl;
 }
 
 

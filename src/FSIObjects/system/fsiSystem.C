@@ -15,6 +15,14 @@ Foam::fsi::fsiSystem::fsiSystem
     const scalar viscosity
 )
 :
+    log
+    (
+        std::make_unique<runLog>
+        (
+            mesh.time(),
+            dict.subOrEmptyDict("output")
+        )
+    ),
     properties(dict),
     grid(mesh),
     sides(mesh),

@@ -30,7 +30,7 @@ def solve(folder, name, step, coupling=""):
                            "material { density 1; E 1e4; } }",
         placements="all { type listed; shape disc; "
                    "objects ({ centre (0.5 0.35 0); }); }",
-        properties="drivingForce { type acceleration; "
+        properties="output { log full; } drivingForce { type acceleration; "
                    "acceleration (12 0 0); } contact { range 1; } "
                    f"coupling {{ type solidImplicit; {coupling} }}",
         writeControl="adjustableRunTime",

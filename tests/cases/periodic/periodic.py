@@ -157,7 +157,7 @@ def check_driving(report, folder):
         "mean velocity", solve, folder, "meanVelocity", ((0.5, 0.5, 0, 0),),
         cyclic="x", density=1.2,
         properties="drivingForce { type meanVelocity; velocity (0.5 0 0); "
-                   "relaxationTime 0.02; }\n")
+                   "relaxationTime 0.02; }\noutput { log full; }\n")
     if case:
         means = [float(m) for m in re.findall(
             r"Mean velocity (\S+),", results.read(case, "log.fsiPisoFoam"))]

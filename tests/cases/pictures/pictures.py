@@ -141,6 +141,23 @@ def check_tables(report, folder):
                            (0.4, float("inf"))], found)
 
 
+def check_log(report, log):
+    """A line per step that fits, then a summary."""
+    lines = log.split("\n")
+    start = lines.index("Starting time loop")
+    end = next(i for i, line in enumerate(lines)
+               if line.startswith("Summary of "))
+    steps = [line for line in lines[start + 1:end] if line]
+    report.check("the log has a line per step, within 120 columns",
+                 len(steps) == int(lines[end].split()[2])
+                 and all(line.startswith("Time = ") and len(line) <= 120
+                         and " left)" in line for line in steps),
+                 "\n".join(lines[start:end])[:600])
+    report.check("its summary counts the warnings and tells where time went",
+                 any(line.split() == ["warnings", "none"] for line in lines)
+                 and "Wall-clock time" in log, "\n".join(lines[end:]))
+
+
 def pixels(path, places):
     """Colours of a picture, by the Python that etc/render runs on."""
     code = ("import sys; from PIL import Image; "
@@ -199,7 +216,7 @@ def main(folder):
     report = fsiCase.Report()
     case = fsiCase.tutorial("01-twoDiscs", os.path.join(folder, "case"),
                             endTime=END, writeInterval=END/2)
-    fsiCase.run(case, "fsiPisoFoam")
+    check_log(report, fsiCase.run(case, "fsiPisoFoam"))
     check_pictures(report, case)
     check_animations(report, case)
     check_plots(report, case)

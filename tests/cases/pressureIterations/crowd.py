@@ -46,7 +46,7 @@ def crowd(path, outline, number, n, modulus):
 
 def iterations(log):
     """Median over the steps after the first."""
-    found = re.findall(r"Solving for p, .*No Iterations (\d+)", log)
+    found = re.findall(r"(?m)^Time = .* p (\d+)", log)
     return statistics.median(int(n) for n in found[1:])
 
 

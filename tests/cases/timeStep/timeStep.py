@@ -36,6 +36,7 @@ def box(folder, name, **control):
                " material { density 1; E 100; } }",
         placements="a { type listed; shape disc;"
                    " objects ({ centre (0.5 0.5 0); }); }",
+        properties="output { log full; }",
         deltaT=DELTA_T, maxDeltaT=1, maxCo=MAX_CO, adjustTimeStep="yes",
         endTime=0.5, timePrecision=10, **control).set_up()
 
@@ -79,7 +80,8 @@ def channel(folder, name, **control):
     """A disc that fills half of a channel in Stokes flow."""
     return fsiCase.Case(
         os.path.join(folder, name), viscosity=1, cyclic="x",
-        properties="drivingForce { type acceleration; acceleration (12 0 0); }",
+        properties="drivingForce { type acceleration; acceleration (12 0 0); }"
+                   " output { log full; }",
         shapes="disc { shape { type circle; radius 0.25; }"
                " material { density 1; E 1e4; } }",
         placements="a { type listed; shape disc;"
