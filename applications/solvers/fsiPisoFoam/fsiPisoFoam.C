@@ -61,9 +61,9 @@ int main(int argc, char *argv[])
     #include "keepMemory.H"
     #include "addCheckCaseOptions.H"
     #include "setRootCaseLists.H"
+    const fsi::caseLock lock(args.globalPath());
     fsi::writtenFiles::setAside(args);
     #include "createTime.H"
-    const fsi::caseLock lock(runTime);
     #include "createMesh.H"
     #include "createFields.H"
     #include "createFvOptions.H"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "caseLock.H"
+#include "error.H"
+#include "Pstream.H"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -9,7 +11,7 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::caseLock::caseLock(const Time& time)
+Foam::fsi::caseLock::caseLock(const fileName& folder)
 :
     folder_(-1)
 {
@@ -17,13 +19,13 @@ Foam::fsi::caseLock::caseLock(const Time& time)
     {
         return;
     }
-    folder_ = ::open(time.globalPath().c_str(), O_RDONLY | O_CLOEXEC);
+    folder_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
     if (folder_ >= 0 && ::flock(folder_, LOCK_EX | LOCK_NB) != 0)
     {
         if (errno == EWOULDBLOCK)
         {
             FatalErrorInFunction
-                << "Another run works in " << time.globalPath()
+                << "Another run works in " << folder
                 << ": wait for its end, or copy the case"
                 << exit(FatalError);
         }
