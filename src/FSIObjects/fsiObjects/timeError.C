@@ -27,7 +27,8 @@ Foam::fsi::timeError::timeError(const fvMesh& mesh)
     ofSplitting_(0),
     mean_(0),
     nSteps_(0),
-    nAbove_(0)
+    nAbove_(0),
+    nRunning_(0)
 {
     const dictionary state(readState(mesh.time(), "fsiTimeError"));
     if (!state.empty())
@@ -75,7 +76,9 @@ void Foam::fsi::timeError::measure
 
     ++nSteps_;
     mean_ += (value() - mean_)/min(nSteps_, meanSteps);
-    nAbove_ += value() > warnAbove;
+    const bool above = value() > warnAbove;
+    nAbove_ += above;
+    nRunning_ = above ? nRunning_ + 1 : 0;
 }
 
 
