@@ -61,11 +61,8 @@ void Foam::fsi::suddenAcceleration::velocity
         if (group.movesFreely())
         {
             Eigen::MatrixXd& change = velocity_[groupi];
-            addRigidForce(group, force_[groupi], change);
-            forAll(group.shape().nodeMasses(), nodei)
-            {
-                change.row(nodei) *= deltaT/group.shape().nodeMasses()[nodei];
-            }
+            addRigidAcceleration(group, force_[groupi], change);
+            change *= deltaT;
         }
     }
     system_.objects.layout().toSurface(velocity_, v);

@@ -2,6 +2,49 @@
 
 #include "rigidForce.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Add the rigid acceleration by forces on boundary nodes, times the weight of
+//  each node
+static void addWeighted
+(
+    const bodyGroup& group,
+    const Eigen::Ref<const Eigen::VectorXd>& weights,
+    const Eigen::MatrixXd& boundaryForce,
+    Eigen::MatrixXd& sum
+)
+{
+    const scalarField& masses = group.shape().nodeMasses();
+    const scalar mass =
+        Eigen::Map<const Eigen::VectorXd>(masses.cdata(), masses.size()).sum();
+    const label nDims = group.shape().nDims();
+    const auto rotations =
+        group.response().modesOf(bodyResponse::modeKind::rotation);
+    for (label first = 0; first < sum.cols(); first += nDims)
+    {
+        const auto given = boundaryForce.middleCols(first, nDims);
+        auto result = sum.middleCols(first, nDims);
+        const Eigen::RowVectorXd net(given.colwise().sum()/mass);
+        result += weights*net;
+        for (const bodyResponse::mode* rotation : rotations)
+        {
+            const auto mode = rotation->values.middleCols(first, nDims);
+            const scalar turn =
+                mode.topRows(given.rows()).cwiseProduct(given).sum();
+            result += turn*(weights.asDiagonal()*mode);
+        }
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::addRigidForce
@@ -11,29 +54,31 @@ void Foam::fsi::addRigidForce
     Eigen::MatrixXd& force
 )
 {
-    const scalarField& nodeMasses = group.shape().nodeMasses();
-    const Eigen::Map<const Eigen::VectorXd> masses
+    const scalarField& masses = group.shape().nodeMasses();
+    addWeighted
     (
-        nodeMasses.cdata(),
-        nodeMasses.size()
+        group,
+        Eigen::Map<const Eigen::VectorXd>(masses.cdata(), masses.size()),
+        boundaryForce,
+        force
     );
-    const label nDims = group.shape().nDims();
-    const auto rotations =
-        group.response().modesOf(bodyResponse::modeKind::rotation);
-    for (label first = 0; first < force.cols(); first += nDims)
-    {
-        const auto given = boundaryForce.middleCols(first, nDims);
-        auto result = force.middleCols(first, nDims);
-        const Eigen::RowVectorXd net(given.colwise().sum()/masses.sum());
-        result += masses*net;
-        for (const bodyResponse::mode* rotation : rotations)
-        {
-            const auto mode = rotation->values.middleCols(first, nDims);
-            const scalar turn =
-                mode.topRows(given.rows()).cwiseProduct(given).sum();
-            result += turn*(masses.asDiagonal()*mode);
-        }
-    }
+}
+
+
+void Foam::fsi::addRigidAcceleration
+(
+    const bodyGroup& group,
+    const Eigen::MatrixXd& boundaryForce,
+    Eigen::MatrixXd& acceleration
+)
+{
+    addWeighted
+    (
+        group,
+        Eigen::VectorXd::Ones(acceleration.rows()),
+        boundaryForce,
+        acceleration
+    );
 }
 
 

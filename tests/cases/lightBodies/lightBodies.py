@@ -67,13 +67,13 @@ def lattice_acceleration(density):
     return (mean - 1)/(part*(1 - density))
 
 
-def started(folder, discs, step, steps, **parameters):
+def started(folder, discs, step, steps, material="E 1e6;", **parameters):
     """The case of light discs at rest at the centres given, solved."""
     case = fsiCase.Case(
         os.path.join(folder, "case"), cells=(64, 64), viscosity=1e-4,
         cyclic="xy",
         shapes=f"disc {{ shape {{ type circle; radius {RADIUS}; }} "
-               f"material {{ density {LIGHT}; E 1e6; }} }}",
+               f"material {{ density {LIGHT}; {material} }} }}",
         placements="a { type listed; shape disc; objects ("
                    + " ".join(f"{{ centre ({x} {y} 0); }}" for x, y in discs)
                    + "); }",
@@ -97,7 +97,9 @@ def check_start(report, folder):
                 ("driven", driven, "X",
                  {"properties": "drivingForce { type acceleration; "
                                 "acceleration (1 0 0); }"}),
-                ("rises", driven - 1, "Y", {"gravity": "(0 -1 0)"})):
+                ("rises", driven - 1, "Y", {"gravity": "(0 -1 0)"}),
+                ("rigid, rises", driven - 1, "Y",
+                 {"gravity": "(0 -1 0)", "material": "type rigid;"})):
             name = f"{name}, step {step}"
             found = report.attempt(name, first_velocity, folder, step, axis,
                                    **parameters)
@@ -114,7 +116,8 @@ def check_mean_velocity(report, folder):
     discs = [(x, y) for x in (0.18, 0.5, 0.82) for y in (0.27, 0.73)]
     case = report.attempt(
         "mean velocity", started, folder, discs, 0.005, 40,
-        properties="drivingForce { type meanVelocity; velocity (1 0 0); }")
+        properties="drivingForce { type meanVelocity; velocity (1 0 0); }"
+                   " output { log full; }")
     if case is None:
         return
     found = [float(m) for m in re.findall(
