@@ -10,7 +10,7 @@
 
 Foam::fsi::suddenAcceleration::suddenAcceleration(const fsiSystem& system)
 :
-    system_(system),
+    bodiesTerm(system),
     gravity_(Zero),
     driving_(Zero)
 {}
@@ -44,28 +44,20 @@ Foam::scalar Foam::fsi::suddenAcceleration::largestDifference() const
 }
 
 
-void Foam::fsi::suddenAcceleration::velocity
+void Foam::fsi::suddenAcceleration::respond
 (
-    const scalarField& p,
-    vectorField& v
+    const label groupi,
+    const Eigen::MatrixXd& force,
+    Eigen::MatrixXd& velocity
 ) const
 {
-    system_.walls.transposeAtWalls(p, v);
-    v *= system_.fluidDensity;
-    system_.objects.layout().toBoundary(v, force_);
-    system_.objects.layout().zero(velocity_);
-    const scalar deltaT = system_.deltaT();
-    forAll(force_, groupi)
+    const bodyGroup& group = system_.objects.groups()[groupi];
+    velocity.setZero();
+    if (group.movesFreely())
     {
-        const bodyGroup& group = system_.objects.groups()[groupi];
-        if (group.movesFreely())
-        {
-            Eigen::MatrixXd& change = velocity_[groupi];
-            addRigidAcceleration(group, force_[groupi], change);
-            change *= deltaT;
-        }
+        addRigidAcceleration(group, force, velocity);
+        velocity *= system_.deltaT();
     }
-    system_.objects.layout().toSurface(velocity_, v);
 }
 
 
@@ -146,17 +138,6 @@ void Foam::fsi::suddenAcceleration::setSource
     source.setSize(p.size());
     system_.walls.flux(lastPart, source);
     subtractOutflow(fluxes, source);
-}
-
-
-void Foam::fsi::suddenAcceleration::add
-(
-    scalarField& Ax,
-    const scalarField& x
-) const
-{
-    velocity(x, nodal_);
-    system_.walls.addFluxAtWalls(nodal_, Ax);
 }
 
 

@@ -36,7 +36,7 @@ static void addWeighted
             const auto mode = rotation->values.middleCols(first, nDims);
             const scalar turn =
                 mode.topRows(given.rows()).cwiseProduct(given).sum();
-            result += turn*(weights.asDiagonal()*mode);
+            result += turn*(weights.asDiagonal()*mode.topRows(sum.rows()));
         }
     }
 }
