@@ -3,7 +3,6 @@
 #include "immersedFlux.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
-#include "openfoamMesh.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -16,37 +15,6 @@ Foam::fsi::immersedFlux::historyNames
     {history::full, "full"},
     {history::none, "none"}
 });
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- What a step starts from, as u' of (4.15); r follows from tau/dt
-static tmp<surfaceScalarField> startOf
-(
-    const surfaceScalarField& f,
-    const timeRule& rule
-)
-{
-    const scalar part = rule.step()/f.time().deltaTValue();
-    if (ddtSchemeOf(f.mesh(), "ddt(U)") != "backward")
-    {
-        return f;
-    }
-
-    // Kept from here on; of the first step nothing older is known
-    const surfaceScalarField& last = f.oldTime();
-    const surfaceScalarField& before = last.oldTime();
-    const scalar r = (1 - part)/(2*part - 1);
-    return last + sqr(r)/(1 + 2*r)*(last - before);
-}
-
-} // End namespace fsi
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -192,7 +160,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     flux.rename("phiHbyA");
     flux.dimensions().reset(dimVelocity*dimArea);
 
-    const tmp<surfaceScalarField> thistory(startOf(faceHistory_, rule_));
+    const tmp<surfaceScalarField> thistory(rule_.start(faceHistory_));
     const surfaceScalarField& history = thistory();
     const surfaceScalarField& open = geometry_.openArea();
     const scalar area = geometry_.grid().faceArea();

@@ -55,6 +55,23 @@ Foam::tmp<Foam::vectorField> Foam::fsi::timeRule::start
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::timeRule::start
+(
+    const surfaceScalarField& f
+) const
+{
+    if (!backward_)
+    {
+        return f;
+    }
+
+    // Kept from here on; of the first step nothing older is known
+    const surfaceScalarField& last = f.oldTime();
+    const surfaceScalarField& before = last.oldTime();
+    return last + sqr(ratio_)/(1 + 2*ratio_)*(last - before);
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::fsi::timeRule::flux
 (
     const surfaceScalarField& phi
