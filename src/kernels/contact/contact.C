@@ -50,18 +50,16 @@ Foam::fsi::contact::contact
 :
     scales_(readScales(dict, spacing, youngsModulus, viscosity)),
     margin_(readScalarBetween(dict, "margin", 1, 0, 20)*spacing),
+    minimumGap_
+    (
+        readScalarBetween(dict, "minimumGap", 0.1, 1e-6, 20)*spacing
+    ),
     images_(images),
     finder_(dict.subOrEmptyDict("search"), nDims, images_),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
     film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
-    defence_
-    (
-        readScalarBetween(dict, "minimumGap", 0.1, 1e-6, 20)*spacing,
-        margin_,
-        nDims,
-        images_
-    ),
-    ranges_(scales_.range, readPositive(dict, "minimumGap", 0.1)*spacing)
+    defence_(minimumGap_, margin_, nDims, images_),
+    ranges_(scales_.range, minimumGap_)
 {
     if (film_->active() && !law_->takesLubrication())
     {
@@ -107,10 +105,11 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
     const surfaceSet& surfaces,
     const vectorField& velocities,
     const contactBodies& bodies,
+    const contactPairs& pairs,
     const scalar dt
 ) const
 {
-    return {surfaces, velocities, bodies, found_, film_(), scales_.range, dt};
+    return {surfaces, velocities, bodies, pairs, film_(), scales_.range, dt};
 }
 
 
@@ -203,7 +202,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
     statistics_.potentialEnergy =
         law_->potentialEnergy
         (
-            problem(surfaces, surfaces.velocities(), bodies, GREAT)
+            problem(surfaces, surfaces.velocities(), bodies, found_, GREAT)
         );
     return statistics_;
 }
@@ -225,10 +224,10 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
-    const contactPairs acting(ranges_.acting(surfaces, found_, margin_));
+    const contactPairs& acting = ranges_.acting(surfaces, found_, margin_);
     law_->addForces
     (
-        {surfaces, velocities, bodies, acting, film_(), scales_.range, dt},
+        problem(surfaces, velocities, bodies, acting, dt),
         force,
         statistics_
     );

@@ -2,6 +2,21 @@
 
 #include "contactRanges.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::fsi::contactRanges::full() const
+{
+    for (const scalar range : ranges_)
+    {
+        if (range != full_)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::contactRanges::update
@@ -10,7 +25,7 @@ void Foam::fsi::contactRanges::update
     UList<contactPair>& pairs
 )
 {
-    if (ranges_.size() != surfaces.size())
+    if (ranges_.size() != surfaces.size() || full())
     {
         return;
     }
@@ -48,15 +63,19 @@ void Foam::fsi::contactRanges::update
 }
 
 
-Foam::fsi::contactPairs Foam::fsi::contactRanges::acting
+const Foam::fsi::contactPairs& Foam::fsi::contactRanges::acting
 (
     const surfaceSet& surfaces,
     const contactPairs& found,
     const scalar margin
-) const
+)
 {
-    contactPairs result;
-    result.nodePairs = found.nodePairs;
+    if (full())
+    {
+        return found;
+    }
+    acting_.clear();
+    acting_.nodePairs = found.nodePairs;
     for (const contactPair& pair : found.pairs)
     {
         if
@@ -66,10 +85,10 @@ Foam::fsi::contactPairs Foam::fsi::contactRanges::acting
          || pair.gap <= full_/pair.stretch + margin
         )
         {
-            result.pairs.append(pair);
+            acting_.pairs.append(pair);
         }
     }
-    return result;
+    return acting_;
 }
 
 
