@@ -2,11 +2,10 @@
 
 #include "fieldChecks.H"
 #include "dictionaryCheck.H"
+#include "errorOf.H"
 #include "fsiSystem.H"
 #include "sumOverRanks.H"
 #include "wallPolyPatch.H"
-
-#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -28,8 +27,7 @@ static void checkValues
     {
         for (direction d = 0; d < pTraits<Type>::nComponents; ++d)
         {
-            const scalar x = component(value, d);
-            if (!std::isfinite(x) || mag(x) >= GREAT)
+            if (!isUsable(component(value, d)))
             {
                 FatalErrorInFunction
                     << "Entry '" << place << "' in file " << field.objectPath()

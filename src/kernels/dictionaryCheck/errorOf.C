@@ -34,6 +34,13 @@ Foam::fsi::caughtError Foam::fsi::errorOf(const std::function<void()>& code)
 }
 
 
+bool Foam::fsi::isUsable(const scalar value)
+{
+    // A comparison with NaN may be trapped
+    return std::isfinite(value) && mag(value) < GREAT;
+}
+
+
 void Foam::fsi::checkValues
 (
     const dictionary& dict,
@@ -43,8 +50,7 @@ void Foam::fsi::checkValues
 {
     for (const scalar value : values)
     {
-        // A comparison with NaN may be trapped
-        if (!std::isfinite(value) || mag(value) >= GREAT)
+        if (!isUsable(value))
         {
             FatalIOErrorInFunction(dict)
                 << "Entry '" << key << "' in dictionary " << dict.name()

@@ -3,6 +3,38 @@
 #include "readBetween.H"
 #include "errorOf.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+template<class Type>
+static Type readInRange
+(
+    const dictionary& dict,
+    const word& key,
+    const Type defaultValue,
+    const Type minimum,
+    const Type maximum
+)
+{
+    const Type value = dict.lookupOrDefault<Type>(key, defaultValue);
+    if (!(value >= minimum && value <= maximum))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name() << " is "
+            << value << " but must be from " << minimum << " to " << maximum
+            << exit(FatalIOError);
+    }
+    return value;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::label Foam::fsi::readBetween
@@ -14,15 +46,7 @@ Foam::label Foam::fsi::readBetween
     const label maximum
 )
 {
-    const label value = dict.lookupOrDefault<label>(key, defaultValue);
-    if (value < minimum || value > maximum)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' in dictionary " << dict.name() << " is "
-            << value << " but must be from " << minimum << " to " << maximum
-            << exit(FatalIOError);
-    }
-    return value;
+    return readInRange(dict, key, defaultValue, minimum, maximum);
 }
 
 
@@ -35,15 +59,7 @@ Foam::scalar Foam::fsi::readScalarBetween
     const scalar maximum
 )
 {
-    const scalar value = dict.lookupOrDefault<scalar>(key, defaultValue);
-    if (!(value >= minimum && value <= maximum))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << key << "' in dictionary " << dict.name() << " is "
-            << value << " but must be from " << minimum << " to " << maximum
-            << exit(FatalIOError);
-    }
-    return value;
+    return readInRange(dict, key, defaultValue, minimum, maximum);
 }
 
 
