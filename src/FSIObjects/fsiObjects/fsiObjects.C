@@ -103,7 +103,6 @@ Foam::fsi::fsiObjects::fsiObjects
     )
 {
     restartFiles::check(mesh);
-    checkMotion();
     Info<< "FSIObjects: " << system_.objects.size() << " objects, "
         << system_.objects.nNodes() << " nodes, coupling "
         << coupling_->type() << ", wall " << system_.wall->type()
