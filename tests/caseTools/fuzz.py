@@ -20,19 +20,9 @@ import sys
 
 import fsiCase
 import results
+from smallCase import DISC_AND_CELL
 
-SHAPES = """
-disc
-{
-    shape { type circle; radius 0.15; }
-    material { density 1.1; E 20; springLaw { type Maxwell; viscosity 1; } }
-}
-cell
-{
-    shape { type circle; radius 0.15; }
-    material { type membrane; density 1; stretchingModulus 10;
-        bendingModulus 0.01; innerViscosity 0.1; }
-}
+SHAPES = DISC_AND_CELL + """
 ball
 {
     shape { type polygon; file "points.csv"; }

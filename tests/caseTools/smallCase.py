@@ -6,7 +6,7 @@ import os
 
 import fsiCase
 
-SHAPES = """
+DISC_AND_CELL = """
 disc
 {
     shape { type circle; radius 0.15; }
@@ -18,6 +18,9 @@ cell
     material { type membrane; density 1; stretchingModulus 10;
         bendingModulus 0.01; innerViscosity 0.1; }
 }
+"""
+
+SHAPES = DISC_AND_CELL + """
 post
 {
     shape { type circle; radius 0.12; }

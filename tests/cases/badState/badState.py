@@ -17,20 +17,7 @@ import sys
 
 import fsiCase
 import results
-
-SHAPES = """
-disc
-{
-    shape { type circle; radius 0.15; }
-    material { density 1.1; E 20; springLaw { type Maxwell; viscosity 1; } }
-}
-cell
-{
-    shape { type circle; radius 0.15; }
-    material { type membrane; density 1; stretchingModulus 10;
-        bendingModulus 0.01; innerViscosity 0.1; }
-}
-"""
+from smallCase import DISC_AND_CELL
 
 PLACEMENTS = """
 discs { type listed; shape disc; objects ({ centre (0.3 0.75 0); }
@@ -249,7 +236,7 @@ def main(folder):
     case = fsiCase.Case(
         os.path.join(folder, "case"), cells=(24, 24), deltaT=0.01,
         endTime=0.02, writeInterval=2, walls={"top": "(1 0 0)"},
-        shapes=SHAPES, placements=PLACEMENTS, writePrecision=17)
+        shapes=DISC_AND_CELL, placements=PLACEMENTS, writePrecision=17)
     if report.attempt("set-up", case.set_up) is None:
         return
     if report.attempt("run", case.run, "fsiPisoFoam") is None:
