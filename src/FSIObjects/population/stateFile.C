@@ -154,7 +154,9 @@ Foam::dictionary Foam::fsi::stateFile::read(const IOobject& io)
     if (!error.message.empty())
     {
         FatalErrorInFunction
-            << "Cannot read entry '" << key << "' in file " << file
+            << "Cannot read "
+            << (key.empty() ? "" : "entry '" + key + "' in ").c_str()
+            << "file " << file
             << ": " << error.message.c_str() << nl << advice
             << exit(FatalError);
     }
