@@ -4,7 +4,7 @@ Program
     levelSetTables
 
 Description
-    Prints the measured figures of the level set in doc/theory.md: errors and
+    Prints the measured figures of the level set in doc/choices.md: errors and
     orders of the march, of the extension and of the advection, alignment and
     cost of the rebuilt and the advected level set. Takes some minutes.
 

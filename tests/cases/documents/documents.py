@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page of entries is what the headers say, and files, tutorials and links
-that the documents name exist.
+"""The page of entries is what the headers say, and files, tutorials, links and
+equations that documents and sources name exist.
 
     documents.py FOLDER
 """
@@ -69,6 +69,35 @@ def check_names(report, path, text, known):
     report.check(f"files that {path} names exist", not missing, missing)
 
 
+def cited(path, text):
+    """Numbers of equations of theory.md that a file cites; those of the thesis
+    have "thesis" in front. In tutorials, which have other numbers in
+    parentheses, only those after the page's name count."""
+    text = re.sub(r"\s+(?://|#)?\s*", " ", text)
+    number, more = r"\(\d\.\d+\)", r"(?:(?:-|, | and | to )\(\d\.\d+\))*"
+    if path.startswith("tutorials"):
+        text = " ".join(re.findall(
+            r"theory(?:\.md)?,? (?:below )?" + number + more, text))
+    text = re.sub("[Tt]hesis " + number + more, "", text)
+    return set(re.findall(r"(?<![\w)])(?<!\d )\(([1-9]\.\d+)\)", text))
+
+
+def check_equations(report):
+    """Each number of theory.md stands once, and all that are cited do."""
+    numbers = re.findall(r"^    .*\((\d\.\d+)\)$", read("doc/theory.md"), re.M)
+    double = sorted({n for n in numbers if numbers.count(n) > 1})
+    report.check("numbers of equations stand once", not double, double)
+    names = subprocess.run(
+        ["git", "-C", ROOT, "ls-files", "src", "doc/*.md", "tutorials",
+         "tests/*.[CH]", "tests/*.py"],
+        check=True, capture_output=True, text=True).stdout.split()
+    missing = [f"{name}: ({n})" for name in names
+               if name.endswith((".C", ".H", ".md", ".py")) and existing(name)
+               for n in sorted(cited(name, read(name)) - set(numbers))]
+    report.check("equations that are cited are in theory.md", not missing,
+                 missing)
+
+
 def check_columns(report):
     """The guide has every column of global.csv and objects.csv; of a vector
     or another group, its beginning."""
@@ -87,6 +116,7 @@ def main():
     report = fsiCase.Report()
     check_entries(report)
     check_columns(report)
+    check_equations(report)
     known = all_files()
     for path in DOCUMENTS:
         if existing(path):
