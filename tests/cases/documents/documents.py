@@ -16,7 +16,7 @@ import fsiCase
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../..")
 DOCUMENTS = ("README.md", "CONTRIBUTING.md", "doc/dataFlow.md",
              "doc/theory.md", "doc/performance.md", "doc/userGuide.md",
-             "doc/validation.md", "doc/entries.md")
+             "doc/validation.md", "doc/entries.md", "doc/choices.md")
 
 
 def read(path):
@@ -57,6 +57,18 @@ def check_links(report, path, text):
         and not existing(os.path.normpath(os.path.join(folder, link)))
     ]
     report.check(f"links of {path} lead to files", not missing, missing)
+
+
+def check_contents(report, path, text):
+    """Links to headings of the page itself; contents list all main ones."""
+    headings = [(level, re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-"))
+                for level, h in re.findall(r"^(###?) (.*)$", text, re.M)]
+    links = re.findall(r"\]\(#([^)]+)\)", text)
+    wrong = sorted(set(links) - {h for _, h in headings})
+    if "Contents:" in text:
+        wrong += [h for level, h in headings
+                  if level == "##" and h not in links]
+    report.check(f"contents of {path}", not wrong, wrong)
 
 
 def check_names(report, path, text, known):
@@ -122,6 +134,7 @@ def main():
         if existing(path):
             text = read(path)
             check_links(report, path, text)
+            check_contents(report, path, text)
             check_names(report, path, text, known)
     return 1 if report.failures else 0
 
