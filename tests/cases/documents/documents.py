@@ -124,11 +124,48 @@ def check_columns(report):
                  missing)
 
 
+def messages():
+    """Texts of the messages of all sources, the warnings' apart."""
+    names = subprocess.run(["git", "-C", ROOT, "ls-files", "src/*.C",
+                            "applications/*.C"], check=True,
+                           capture_output=True, text=True).stdout.split()
+    every, warnings = "", []
+    for name in names:
+        source = read(name)
+        literal = r'"((?:[^"\\\n]|\\.)*)"'
+        every += "".join(re.findall(literal, source)) + "\n"
+        for part in re.findall(r"WarningInFunction(.*?);", source, re.S):
+            warnings.append((name, "".join(re.findall(literal, part))))
+    return every, warnings
+
+
+def check_messages(report):
+    """The guide's table of messages: each is in a source, and each warning of
+    a source is there."""
+    guide = read("doc/userGuide.md")
+    start = guide.index("\n## 13.")
+    section = guide[start:guide.index("\n## 14.", start)]
+    rows = re.findall(r"^\|([^|]*)\|", section, re.M)
+    rows += re.findall(r"\n\*\*Afterwards.*", section, re.S)
+    texts = [part.strip(" ,.") for row in rows
+             for quote in re.findall(r'"([^"]+)"', row)
+             for part in re.sub(r"\s+", " ", quote).split("...")]
+    texts = [text for text in texts if text]
+    every, warnings = messages()
+    stale = [text for text in texts if text not in every
+             and not text.startswith(("cannot find file", "/p"))]
+    report.check("messages of the guide are in the sources", not stale, stale)
+    missing = [warning for warning in warnings
+               if not any(len(t) > 12 and t in warning[1] for t in texts)]
+    report.check("the guide has every warning", not missing, missing)
+
+
 def main():
     report = fsiCase.Report()
     check_entries(report)
     check_columns(report)
     check_equations(report)
+    check_messages(report)
     known = all_files()
     for path in DOCUMENTS:
         if existing(path):
