@@ -124,6 +124,27 @@ def check_columns(report):
                  missing)
 
 
+def check_calls(report):
+    """Functions that dataFlow.md names are declared, those with a class in its
+    header."""
+    headers = subprocess.run(["git", "-C", ROOT, "ls-files", "src/*.H"],
+                             check=True, capture_output=True,
+                             text=True).stdout.split()
+    texts = {os.path.basename(h)[:-2]: read(h) for h in headers}
+    rows = re.findall(r"^\| [\d ]*\|[^|]*\|[^|]*\|([^|]*)\|",
+                      read("doc/dataFlow.md"), re.M)
+    calls = re.findall(r"`([\w:]+)`", " ".join(rows))
+    missing = []
+    for call in calls:
+        *of, name = call.split("::")
+        where = [texts.get(c, "") for c in of] or texts.values()
+        if call != "thesis" and not any(
+                re.search(rf"\b{name}\s*\(", text) for text in where):
+            missing.append(call)
+    report.check("functions that dataFlow.md names exist",
+                 calls and not missing, missing)
+
+
 def messages():
     """Texts of the messages of all sources, the warnings' apart."""
     names = subprocess.run(["git", "-C", ROOT, "ls-files", "src/*.C",
@@ -166,6 +187,7 @@ def main():
     check_columns(report)
     check_equations(report)
     check_messages(report)
+    check_calls(report)
     known = all_files()
     for path in DOCUMENTS:
         if existing(path):
