@@ -131,7 +131,7 @@ int main(int argc, char *argv[])
     (
         fsi::stepHistory
         (
-            runTime.globalPath()/"postProcessing"/fsi::population::folder
+            runTime.globalPath()/"postProcessing"/fsi::bodyGroups::folder
         ),
         Info
     );

@@ -41,8 +41,8 @@ using namespace Foam;
 //- Replace the objects of a case
 static void write(const Time& runTime, const fsi::population& objects)
 {
-    rmDir(runTime.constantPath()/fsi::population::folder, true);
-    rmDir(runTime.timePath()/"uniform"/fsi::population::folder, true);
+    rmDir(runTime.constantPath()/fsi::bodyGroups::folder, true);
+    rmDir(runTime.timePath()/"uniform"/fsi::bodyGroups::folder, true);
     objects.writeShapes();
     objects.write();
 

@@ -99,12 +99,12 @@ void Foam::fsi::motionCheck::checkElements() const
                 << "The tetrahedra at " << number << " nodes of object "
                 << objects_.objectId(objecti) << " are inverted at time "
                 << time_.timeName() << ": the body, of shape "
-                << time_.path()/time_.caseConstant()/population::folder/name
+                << time_.path()/time_.caseConstant()/bodyGroups::folder/name
                 << ", has turned inside out there" << nl
                 << "Take a smaller deltaT or adjustTimeStep with maxCo, a "
                 << "larger E or a viscosity (material), or a finer mesh; the "
                 << "state of the last written time is in uniform/"
-                << population::folder/name
+                << bodyGroups::folder/name
                 << exit(FatalError);
         }
     }

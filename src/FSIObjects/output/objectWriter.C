@@ -70,7 +70,7 @@ Foam::fsi::objectWriter::objectWriter
 
     const fileName folder
     (
-        time.globalPath()/functionObject::outputPrefix/population::folder
+        time.globalPath()/functionObject::outputPrefix/bodyGroups::folder
        /time.timeName(time.startTime().value())
     );
     const bool binary = dict.lookupOrDefault<Switch>("binary", true);

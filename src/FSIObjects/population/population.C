@@ -3,46 +3,24 @@
 #include "population.H"
 #include "SubField.H"
 
-// * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
-
-const Foam::word Foam::fsi::population::folder("fsiObjects");
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- True if bodies with this motion stay where they are
-static bool stays(const dictionary& motion)
-{
-    return motion.lookupOrDefault<word>("type", "") == "fixed";
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::population::renumber()
 {
     groupStart_.resize(groups_.size() + 1);
     groupStart_ = 0;
-    forAll(groups_, groupi)
+    forAll(groups(), groupi)
     {
-        groupStart_[groupi + 1] = groupStart_[groupi] + groups_[groupi].size();
+        groupStart_[groupi + 1] = groupStart_[groupi] + groups()[groupi].size();
     }
 
     objectGroup_.resize(groupStart_.last());
     surfaces_.clear();
     layout_.clear();
-    forAll(groups_, groupi)
+    forAll(groups(), groupi)
     {
-        const shapeTemplate& s = shapes_[groupi];
-        layout_.append(s.nNodes(), s.nBoundaryNodes(), groups_[groupi].size());
+        const shapeTemplate& s = groups_.shape(groupi);
+        layout_.append(s.nNodes(), s.nBoundaryNodes(), groups()[groupi].size());
         pointField boundary
         (
             SubField<point>(s.points(), s.nBoundaryNodes())
@@ -51,17 +29,17 @@ void Foam::fsi::population::renumber()
         {
             boundary.replace(vector::Z, planeZ_);
         }
-        for (label copyi = 0; copyi < groups_[groupi].size(); ++copyi)
+        for (label copyi = 0; copyi < groups()[groupi].size(); ++copyi)
         {
             const label objecti = surfaces_.append(boundary, s.faces());
-            if (stays(motions_[groupi]))
+            if (groups_.stays(groupi))
             {
                 surfaces_.setFixed(objecti);
             }
         }
         SubList<label>
         (
-            objectGroup_, groups_[groupi].size(), groupStart_[groupi]
+            objectGroup_, groups()[groupi].size(), groupStart_[groupi]
         ) = groupi;
     }
 
@@ -78,7 +56,8 @@ Foam::fsi::population::population(const Time& time)
     readCounters();
     surfaces_ = surfaceSet(nDims_);
     layout_ = nodeLayout(nDims_);
-    readGroups();
+    groups_.read(nDims_, nextObjectId_);
+    checkPeriods();
     renumber();
 }
 
@@ -94,6 +73,7 @@ Foam::fsi::population::population
     nDims_(nDims),
     planeZ_(planeZ),
     nextObjectId_(0),
+    groups_(time),
     groupStart_(1, Zero),
     surfaces_(nDims),
     layout_(nDims)
@@ -104,21 +84,21 @@ Foam::fsi::population::population
 
 bool Foam::fsi::population::movesFreely(const label objecti) const
 {
-    return groups_[objectGroup_[objecti]].movesFreely();
+    return groups()[objectGroup_[objecti]].movesFreely();
 }
 
 
 void Foam::fsi::population::updateSurfaces()
 {
     nodeLayout::groupNodal values(groups_.size());
-    forAll(groups_, groupi)
+    forAll(groups(), groupi)
     {
-        values[groupi] = groups_[groupi].velocities();
+        values[groupi] = groups()[groupi].velocities();
     }
     layout_.toSurface(values, surfaces_.velocities());
-    forAll(groups_, groupi)
+    forAll(groups(), groupi)
     {
-        values[groupi] = groups_[groupi].positions();
+        values[groupi] = groups()[groupi].positions();
     }
     layout_.toSurface(values, surfaces_.points());
     if (nDims_ == 2)
@@ -130,15 +110,15 @@ void Foam::fsi::population::updateSurfaces()
 
 Foam::label Foam::fsi::population::objectId(const label objecti) const
 {
-    return groups_[objectGroup_[objecti]].objectIds()[objectCopy(objecti)];
+    return groups()[objectGroup_[objecti]].objectIds()[objectCopy(objecti)];
 }
 
 
 Foam::label Foam::fsi::population::findObject(const label objectId) const
 {
-    forAll(groups_, groupi)
+    forAll(groups(), groupi)
     {
-        const label copyi = groups_[groupi].objectIds().find(objectId);
+        const label copyi = groups()[groupi].objectIds().find(objectId);
         if (copyi >= 0)
         {
             return objectIndex(groupi, copyi);
@@ -148,29 +128,16 @@ Foam::label Foam::fsi::population::findObject(const label objectId) const
 }
 
 
-Foam::label Foam::fsi::population::findGroup(const word& shapeName) const
-{
-    forAll(shapes_, groupi)
-    {
-        if (shapes_[groupi].name() == shapeName)
-        {
-            return groupi;
-        }
-    }
-    return -1;
-}
-
-
 void Foam::fsi::population::wrap(const periodicImages& images)
 {
-    forAll(groups_, groupi)
+    forAll(groups(), groupi)
     {
         // What is fixed is where it was put, and may reach out on both sides
-        if (stays(motions_[groupi]))
+        if (groups_.stays(groupi))
         {
             continue;
         }
-        bodyGroup& group = groups_[groupi];
+        bodyGroup& group = groups()[groupi];
         for (label copyi = 0; copyi < group.size(); ++copyi)
         {
             const labelVector n =
@@ -202,17 +169,9 @@ Foam::label Foam::fsi::population::addShape
     const dictionary& motion
 )
 {
-    if (findGroup(shape->name()) >= 0)
-    {
-        FatalErrorInFunction
-            << "There is a shape named " << shape->name() << " already"
-            << exit(FatalError);
-    }
-    shapes_.append(shape);
-    motions_.append(motion);
-    groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
+    const label groupi = groups_.append(shape, motion);
     renumber();
-    return groups_.size() - 1;
+    return groupi;
 }
 
 
@@ -249,7 +208,7 @@ Foam::labelList Foam::fsi::population::append
     forAll(groups, i)
     {
         ids[i] = nextObjectId_++;
-        groups_[groups[i]].append
+        this->groups()[groups[i]].append
         (
             centres[i],
             rotations[i],
@@ -277,7 +236,7 @@ void Foam::fsi::population::remove(const labelList& objects)
     for (const label objecti : descending)
     {
         periods_.erase(objectId(objecti));
-        groups_[objectGroup_[objecti]].remove(objectCopy(objecti));
+        groups()[objectGroup_[objecti]].remove(objectCopy(objecti));
     }
     renumber();
 }

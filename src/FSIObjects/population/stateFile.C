@@ -103,6 +103,22 @@ static void compareSums(dictionary& dict)
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+Foam::IOobject Foam::fsi::stateFile::input
+(
+    const Time& time,
+    const fileName& instance,
+    const fileName& local,
+    const word& name
+)
+{
+    return IOobject
+    (
+        name, instance, local, time,
+        IOobject::MUST_READ, IOobject::NO_WRITE, false
+    );
+}
+
+
 bool Foam::fsi::stateFile::exists(const IOobject& io)
 {
     // Also if it ends in .gz

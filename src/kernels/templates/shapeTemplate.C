@@ -4,6 +4,7 @@
 #include "dictionaryCheck.H"
 #include "massPoints.H"
 #include "newShapeMesh.H"
+#include "springNetwork.H"
 #include "stepMatrix.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -22,22 +23,6 @@ static autoPtr<membraneMaterial> newMembrane(const dictionary& material)
       ? new membraneMaterial(material)
       : nullptr
     );
-}
-
-
-//- Springs of an elastic body lie on all edges, of a membrane on its boundary
-static edgeList newSprings(const shapeMesh& mesh, const bool membrane)
-{
-    if (!membrane)
-    {
-        return mesh.edges();
-    }
-    edgeList springs(mesh.faces.size());
-    forAll(springs, i)
-    {
-        springs[i] = edge(mesh.faces[i][0], mesh.faces[i][1]);
-    }
-    return springs;
 }
 
 
@@ -67,21 +52,7 @@ static shapeMesh newMesh
 
 void Foam::fsi::shapeTemplate::setGeometry()
 {
-    restLengths_.resize(springs_.size());
-    forAll(springs_, springi)
-    {
-        // As the solver computes lengths, so that a body at rest has no force
-        const vector d =
-            mesh_.points[springs_[springi].second()]
-          - mesh_.points[springs_[springi].first()];
-        scalar squares = 0;
-        for (label i = 0; i < nDims_; ++i)
-        {
-            squares += d[i]*d[i];
-        }
-        restLengths_[springi] = std::sqrt(squares);
-    }
-
+    restLengths_ = springNetwork::lengths(mesh_, springs_, nDims_);
     volumeTerm_ = elastic_->newVolumeTerm(mesh_, thickness_);
     referenceVolume_ = sum(volumeTerm_->volumes())/thickness_;
 }
@@ -213,7 +184,7 @@ Foam::fsi::shapeTemplate::shapeTemplate
       ? massPoints(mesh, nDims).mesh()
       : mesh
     ),
-    springs_(newSprings(mesh_, membrane_.valid()))
+    springs_(springNetwork::springs(mesh_, membrane_.valid()))
 {
     checkEntries(dict);
     if (elements().empty())

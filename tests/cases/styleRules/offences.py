@@ -123,18 +123,6 @@ def found(folder, changes):
     return result.returncode, result.stdout.strip().split("\n")
 
 
-def cut_classes():
-    """An offence for each class that checkStyle lets pass while it is large."""
-    sys.path.insert(0, ETC)
-    import houseRules
-    return [
-        (f"{name}, which is cut and still on the list",
-         {f"src/kernels/low/{name}.H": header(name)},
-         f"src/kernels/low/{name}.H:1:", ["TO_BE_CUT"])
-        for name in sorted(houseRules.TO_BE_CUT)
-    ]
-
-
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -144,8 +132,7 @@ def main(folder):
                                            "0 offences"], lines)
     status, lines = found(os.path.join(folder, "600"), large_class(600))
     report.check("a class of 600 lines is accepted", status == 0, lines)
-    for number, (name, changes, start, said) in enumerate(
-            OFFENCES + cut_classes()):
+    for number, (name, changes, start, said) in enumerate(OFFENCES):
         status, lines = found(os.path.join(folder, str(number)), changes)
         report.check(
             f"refused: {name}",

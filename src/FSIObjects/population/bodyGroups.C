@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyGroups.H"
+#include "dictionaryCheck.H"
+#include "IOobjectList.H"
+#include "stateChecks.H"
+#include "writtenDictionary.H"
+
+// * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
+
+const Foam::word Foam::fsi::bodyGroups::folder("fsiObjects");
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::bodyGroups::readGroup
+(
+    const word& name,
+    const direction nDims,
+    const label nextId
+)
+{
+    const dictionary shape
+    (
+        stateFile::read
+        (
+            stateFile::input(time_, time_.caseConstant(), folder, name)
+        )
+    );
+    shapes_.append(new shapeTemplate(shape));
+    stateChecks::checkShape(shape, shapes_.last(), name, nDims);
+
+    // The state refers to what seedObjects wrote
+    const dictionary state
+    (
+        stateFile::read
+        (
+            stateFile::input
+            (
+                time_, time_.timeName(), "uniform"/folder, name
+            )
+        )
+    );
+    stateChecks::compareRanks(state);
+    checkSubDicts(state, {"motion"});
+    motions_.append(state.subDict("motion"));
+    groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
+    groups_.last().read(state);
+    stateChecks::checkIds(state, groups_, nextId);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::bodyGroups::bodyGroups(const Time& time)
+:
+    time_(time)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::bodyGroups::stays(const label groupi) const
+{
+    return motions_[groupi].lookupOrDefault<word>("type", "") == "fixed";
+}
+
+
+Foam::label Foam::fsi::bodyGroups::find(const word& shapeName) const
+{
+    forAll(shapes_, groupi)
+    {
+        if (shapes_[groupi].name() == shapeName)
+        {
+            return groupi;
+        }
+    }
+    return -1;
+}
+
+
+Foam::label Foam::fsi::bodyGroups::append
+(
+    autoPtr<shapeTemplate> shape,
+    const dictionary& motion
+)
+{
+    if (find(shape->name()) >= 0)
+    {
+        FatalErrorInFunction
+            << "There is a shape named " << shape->name() << " already"
+            << exit(FatalError);
+    }
+    shapes_.append(shape);
+    motions_.append(motion);
+    groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
+    return groups_.size() - 1;
+}
+
+
+void Foam::fsi::bodyGroups::read(const direction nDims, const label nextId)
+{
+    const IOobjectList files(time_, time_.caseConstant(), folder);
+    for (const word& name : files.sortedNames())
+    {
+        readGroup(name, nDims, nextId);
+    }
+
+    const IOobjectList states(time_, time_.timeName(), "uniform"/folder);
+    for (const word& name : states.sortedNames())
+    {
+        if (!files.found(name))
+        {
+            FatalErrorInFunction
+                << "There is no shape "
+                << time_.path()/time_.caseConstant()/folder/name
+                << " of the objects in " << states[name]->objectPath() << nl
+                << "Restore it, or run seedObjects"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+void Foam::fsi::bodyGroups::write() const
+{
+    forAll(groups_, groupi)
+    {
+        writeFile
+        (
+            time_, time_.timeName(), "uniform"/folder,
+            shapes_[groupi].name(), time_.writeFormat(),
+            [&](Ostream& os)
+            {
+                motions_[groupi].writeEntry("motion", os);
+                groups_[groupi].write(os);
+            }
+        );
+    }
+}
+
+
+void Foam::fsi::bodyGroups::writeShapes() const
+{
+    if (!Pstream::master())
+    {
+        return;
+    }
+    forAll(shapes_, groupi)
+    {
+        writeFile
+        (
+            time_, time_.caseConstant(), folder, shapes_[groupi].name(),
+            IOstream::ASCII,
+            [&](Ostream& os) { shapes_[groupi].write(os); }
+        );
+    }
+}
+
+
+// ************************************************************************* //
