@@ -17,6 +17,7 @@ READERS = {
     "readChoice": ("word", ""),
     "readCaseFile": ("file name", ""),
     "readMatrix": ("numbers", ""),
+    "readField": ("numbers", ""),
 }
 TYPES = {
     "scalar": "number", "label": "whole number", "Switch": "yes or no",
