@@ -71,6 +71,22 @@ def check_contents(report, path, text):
     report.check(f"contents of {path}", not wrong, wrong)
 
 
+def check_revisions(report):
+    """Revisions and their dates are in choices.md and CHANGELOG.md only, and
+    the date of a table of versions in README.md."""
+    names = subprocess.run(
+        ["git", "-C", ROOT, "ls-files", "*.md"], check=True,
+        capture_output=True, text=True).stdout.split()
+    found = []
+    for name in set(names) - {"doc/choices.md", "CHANGELOG.md"}:
+        pattern = r"(?<![\w.-])(?=\d*[a-f])(?=[a-f]*\d)[0-9a-f]{7}(?![\w.])"
+        if name != "README.md":
+            pattern += r"|(?<!\d)20\d\d-\d\d-\d\d"
+        if existing(name):
+            found += [f"{name}: {f}" for f in re.findall(pattern, read(name))]
+    report.check("documents name no revisions", not found, sorted(found))
+
+
 def check_names(report, path, text, known):
     """Sources and scripts in backticks."""
     names = re.findall(r"`([\w./-]+\.(?:[CH]|py))`", text)
@@ -188,6 +204,7 @@ def main():
     check_equations(report)
     check_messages(report)
     check_calls(report)
+    check_revisions(report)
     known = all_files()
     for path in DOCUMENTS:
         if existing(path):
