@@ -20,7 +20,6 @@ MAX_CLASS = 600
 RANKS = (
     "src/fastPoisson/lattice/",
     "src/FSIObjects/cartesianMesh/",
-    "src/FSIObjects/compatibility/",
     "src/FSIObjects/output/",
     "src/FSIObjects/population/bodyGroups.C",
     "src/FSIObjects/population/sharedPrediction.C",

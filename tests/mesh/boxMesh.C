@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "boxMesh.H"
+#include "openfoamCase.H"
+#include "openfoamMesh.H"
 #include "OSspecific.H"
 #include "OFstream.H"
 
@@ -130,7 +132,8 @@ Foam::fileName Foam::fsi::boxMesh::makeCase() const
             << " tolerance 1e-12; relTol 0; }\n"
             << "    \"U.*\" { solver PBiCGStab; preconditioner DILU;"
             << " tolerance 1e-12; relTol 0; }\n}\n"
-            << "PISO { nCorrectors 2; nNonOrthogonalCorrectors 0;"
+            << fsi::stepControlsName()
+            << " { nCorrectors 2; nNonOrthogonalCorrectors 0;"
             << " pRefCell 0; pRefValue 0; }\n";
     }
     Pstream::scatter(path);
@@ -160,19 +163,7 @@ void Foam::fsi::boxMesh::makeTime()
     }
     mkDir(casePath_.path()/caseName);
 
-    time_.reset
-    (
-        new Time
-        (
-            controls,
-            casePath_.path(),
-            caseName,
-            "system",
-            "constant",
-            false,
-            false
-        )
-    );
+    time_ = newTime(controls, casePath_.path(), caseName);
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "boxMesh.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -182,7 +183,7 @@ void Foam::fsi::boxMesh::makeMesh()
             IOobject
             (
                 polyMesh::defaultRegion,
-                time_().timeName(),
+                nameOf(time_()),
                 time_(),
                 IOobject::READ_IF_PRESENT
             ),

@@ -25,7 +25,7 @@ Usage
 
 #include "parRun.H"
 #include "PstreamReduceOps.H"
-#include "error.H"
+#include "errorOf.H"
 
 // * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
 
@@ -98,8 +98,7 @@ int main(int argc, char* argv[])
     }
     ::testing::InitGoogleTest(&argc, argv);
 
-    Foam::FatalError.throwExceptions();
-    Foam::FatalIOError.throwExceptions();
+    const Foam::fsi::thrownErrors thrown;
 
     auto& listeners = ::testing::UnitTest::GetInstance()->listeners();
     if (!Foam::Pstream::master())

@@ -17,7 +17,7 @@ Usage
 
 #include <gtest/gtest.h>
 
-#include "error.H"
+#include "errorOf.H"
 
 // * * * * * * * * * * * * * * * Main Program  * * * * * * * * * * * * * * * //
 
@@ -25,8 +25,7 @@ int main(int argc, char* argv[])
 {
     ::testing::InitGoogleTest(&argc, argv);
 
-    Foam::FatalError.throwExceptions();
-    Foam::FatalIOError.throwExceptions();
+    const Foam::fsi::thrownErrors thrown;
 
     return RUN_ALL_TESTS();
 }

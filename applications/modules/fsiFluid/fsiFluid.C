@@ -54,6 +54,7 @@ void Foam::solvers::fsiFluid::checkLaminar() const
 Foam::solvers::fsiFluid::fsiFluid(fvMesh& mesh)
 :
     incompressibleFluid(mesh),
+    lock_(mesh.time().globalPath()),
     nu_(viscosityOfFluid()),
     objects_(mesh, nu_),
     step_(objects_, p_, U_, phi_, nu_),
@@ -101,8 +102,12 @@ void Foam::solvers::fsiFluid::pressureCorrector()
 
 void Foam::solvers::fsiFluid::postSolve()
 {
-    objects_.write();
     timeStep_.write();
+    objects_.write();
+    if (!mesh.time().running())
+    {
+        objects_.summary(Info);
+    }
 }
 
 

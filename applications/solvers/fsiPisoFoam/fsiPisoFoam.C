@@ -92,9 +92,7 @@ int main(int argc, char *argv[])
         );
     }
 
-    objects.error().report(Info);
-    objects.log().report(Info);
-    objects.timer().report(Info);
+    objects.summary(Info);
     Info<< "End\n" << endl;
 
     return 0;

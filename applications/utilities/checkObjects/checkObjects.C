@@ -43,6 +43,8 @@ Usage
 #include "argList.H"
 #include "historyCheck.H"
 #include "openBoundaries.H"
+#include "openfoamCase.H"
+#include "openfoamVersion.H"
 #include "populationCheck.H"
 #include "stepHistory.H"
 #include "timeSelector.H"
@@ -56,8 +58,8 @@ using namespace Foam;
 //  the number of faults
 static label checkFluid(const fvMesh& mesh, const scalar maxSpeed)
 {
-    IOobject io("U", mesh.time().timeName(), mesh, IOobject::MUST_READ);
-    if (!io.typeHeaderOk<volVectorField>())
+    IOobject io("U", fsi::nameOf(mesh.time()), mesh, IOobject::MUST_READ);
+    if (!fsi::hasFile<volVectorField>(io))
     {
         return 0;
     }
@@ -78,7 +80,7 @@ static void warnOfRanks(const Time& runTime)
         return;
     }
     const scalar latest = runTime.times().last().value();
-    const scalar latestOfRank = Time::findTimes(rank).last().value();
+    const scalar latestOfRank = fsi::timesIn(rank).last().value();
     if (latestOfRank > latest)
     {
         WarningInFunction
@@ -118,13 +120,13 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
     const instantList times = timeSelector::select0(runTime, args);
-    #include "createNamedMesh.H"
+    #include "createCaseMesh.H"
     warnOfRanks(runTime);
 
     fsi::historyCheck limits;
-    limits.areaTolerance = args.opt<scalar>("areaTolerance", 1e-3);
-    limits.maxSpeed = args.opt<scalar>("maxSpeed", 0);
-    limits.minStep = args.opt<scalar>("minStep", 0);
+    limits.areaTolerance = fsi::optionOr<scalar>(args, "areaTolerance", 1e-3);
+    limits.maxSpeed = fsi::optionOr<scalar>(args, "maxSpeed", 0);
+    limits.minStep = fsi::optionOr<scalar>(args, "minStep", 0);
     const fsi::populationCheck checks(mesh, limits.areaTolerance);
 
     label nFaults = limits.check
@@ -142,7 +144,7 @@ int main(int argc, char *argv[])
         const auto found =
             checks.check(objects, fsi::openBoundaries::nRemoved(runTime));
         nFaults += found.nFaults();
-        Info<< "Time = " << runTime.timeName() << ": ";
+        Info<< "Time = " << fsi::nameOf(runTime) << ": ";
         found.write(Info);
         if (limits.maxSpeed > 0)
         {

@@ -30,8 +30,8 @@ Usage
 #include "OSspecific.H"
 #include "cartesianMesh.H"
 #include "contact.H"
-#include "functionObject.H"
 #include "objectPolyData.H"
+#include "openfoamCase.H"
 #include "seeding.H"
 
 using namespace Foam;
@@ -41,15 +41,21 @@ using namespace Foam;
 //- Replace the objects of a case
 static void write(const Time& runTime, const fsi::population& objects)
 {
-    rmDir(runTime.constantPath()/fsi::bodyGroups::folder, true);
-    rmDir(runTime.timePath()/"uniform"/fsi::bodyGroups::folder, true);
+    fileNameList old(2);
+    old[0] = runTime.path()/runTime.constant()/fsi::bodyGroups::folder;
+    old[1] = runTime.timePath()/"uniform"/fsi::bodyGroups::folder;
+    for (const fileName& folder : old)
+    {
+        if (isDir(folder))
+        {
+            rmDir(folder);
+        }
+    }
     objects.writeShapes();
     objects.write();
 
-    const fileName pictures
-    (
-        runTime.globalPath()/functionObject::outputPrefix/"seedObjects"
-    );
+    const fileName folder("postProcessing/seedObjects");
+    const fileName pictures(runTime.globalPath()/folder);
     fsi::surfacePolyData(objects).write
     (
         pictures/"surfaces.vtp", runTime.value(), true
@@ -58,7 +64,7 @@ static void write(const Time& runTime, const fsi::population& objects)
     (
         pictures/"springs.vtp", runTime.value(), true
     );
-    Info<< "Look at the set-up in " << runTime.relativePath(pictures) << nl;
+    Info<< "Look at the set-up in " << folder << nl;
 }
 
 
@@ -93,11 +99,9 @@ int main(int argc, char *argv[])
 
     #include "setRootCase.H"
     #include "createTime.H"
-    #include "createNamedMesh.H"
+    #include "createCaseMesh.H"
 
-    const word dictName("seedObjectsDict");
-    #include "setSystemMeshDictionaryIO.H"
-    const IOdictionary dict(dictIO);
+    const IOdictionary dict(fsi::systemFile(args, mesh, "seedObjectsDict"));
 
     const fsi::cartesianMesh lattice(mesh);
     const fsi::seeding seeding

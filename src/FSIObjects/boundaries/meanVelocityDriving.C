@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "domainSides.H"
+#include "openfoamVersion.H"
 #include "population.H"
 #include "readBetween.H"
 #include "writtenDictionary.H"
@@ -124,9 +125,9 @@ Foam::fsi::meanVelocityDriving::meanVelocityDriving
     const dictionary state(readState(mesh.time(), "fsiDrivingForce"));
     if (!state.empty())
     {
-        acceleration_ = state.get<scalar>("acceleration");
-        mean_ = state.get<scalar>("meanVelocity");
-        momentum_ = state.get<scalar>("momentum");
+        acceleration_ = getEntry<scalar>(state, "acceleration");
+        mean_ = getEntry<scalar>(state, "meanVelocity");
+        momentum_ = getEntry<scalar>(state, "momentum");
     }
 }
 
@@ -179,12 +180,12 @@ void Foam::fsi::meanVelocityDriving::write() const
     const Time& time = mesh_.time();
     writeFile
     (
-        time, time.timeName(), "uniform", "fsiDrivingForce", IOstream::ASCII,
+        time, nameOf(time), "uniform", "fsiDrivingForce", IOstream::ASCII,
         [&](Ostream& os)
         {
-            os.writeEntry("acceleration", acceleration_);
-            os.writeEntry("meanVelocity", mean_);
-            os.writeEntry("momentum", momentum_);
+            putEntry(os, "acceleration", acceleration_);
+            putEntry(os, "meanVelocity", mean_);
+            putEntry(os, "momentum", momentum_);
         }
     );
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectFeed.H"
+#include "openfoamMesh.H"
 #include "readBetween.H"
 #include "rotations.H"
-#include "Switch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -42,7 +42,7 @@ static const dictionary& checkedFeed
 //- Box of a patch, of all ranks
 static boundBox patchBounds(const polyMesh& mesh, const word& name)
 {
-    const label patchi = mesh.boundaryMesh().findPatchID(name);
+    const label patchi = patchOf(mesh.boundaryMesh(), name);
     return boundBox(mesh.boundaryMesh()[patchi].localPoints(), true);
 }
 
@@ -54,7 +54,7 @@ static boundBox patchBounds(const polyMesh& mesh, const word& name)
 
 Foam::label Foam::fsi::objectFeed::readGroup(const dictionary& dict) const
 {
-    const word shape(dict.get<word>("shape"));
+    const word shape(getEntry<word>(dict, "shape"));
     const label groupi = objects_.findGroup(shape);
     if (groupi < 0)
     {
@@ -105,7 +105,7 @@ void Foam::fsi::objectFeed::checkWidth(const dictionary& dict) const
 {
     // How much wider than the patch in the best of rotations, in two
     // dimensions one degree apart
-    Random random(1);
+    randomNumbers random(1);
     scalar least = GREAT;
     for (label degrees = 0; degrees < 180; ++degrees)
     {
@@ -220,7 +220,7 @@ bool Foam::fsi::objectFeed::update(const scalar time)
         return false;
     }
 
-    Random random(seed_ + 7919*nDraws_);
+    randomNumbers random(seed_ + 7919*nDraws_);
     ++nDraws_;
     point centre(Zero);
     tensor rotation(tensor::I);
@@ -242,20 +242,20 @@ bool Foam::fsi::objectFeed::update(const scalar time)
 
 void Foam::fsi::objectFeed::write(Ostream& os) const
 {
-    os.writeEntry("fed", nFed_);
-    os.writeEntry("draws", nDraws_);
-    os.writeEntry("nextTime", nextTime_);
-    os.writeEntry("waiting", Switch(waiting_));
+    putEntry(os, "fed", nFed_);
+    putEntry(os, "draws", nDraws_);
+    putEntry(os, "nextTime", nextTime_);
+    putEntry(os, "waiting", Switch(waiting_));
 }
 
 
 void Foam::fsi::objectFeed::read(const dictionary& dict)
 {
     checkKeys(dict, {"fed", "draws", "nextTime", "waiting"});
-    nFed_ = dict.get<label>("fed");
-    nDraws_ = dict.get<label>("draws");
-    nextTime_ = dict.get<scalar>("nextTime");
-    waiting_ = dict.get<Switch>("waiting");
+    nFed_ = getEntry<label>(dict, "fed");
+    nDraws_ = getEntry<label>(dict, "draws");
+    nextTime_ = getEntry<scalar>(dict, "nextTime");
+    waiting_ = getEntry<Switch>(dict, "waiting");
 }
 
 

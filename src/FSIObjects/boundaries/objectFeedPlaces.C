@@ -50,7 +50,7 @@ Foam::fsi::objectFeed::neighbours() const
 
 bool Foam::fsi::objectFeed::findPlace
 (
-    Random& random,
+    randomNumbers& random,
     point& centre,
     tensor& rotation
 ) const
@@ -66,7 +66,7 @@ bool Foam::fsi::objectFeed::findPlace
         const boundBox box(shape_.moved(rotation, Zero).bounds());
 
         // Along the patch anywhere, and two cells outside it
-        centre = bounds_.centre();
+        centre = centreOf(bounds_);
         bool fits = true;
         for (direction d = 0; d < 3 && fits; ++d)
         {
@@ -109,7 +109,7 @@ bool Foam::fsi::objectFeed::findPlace
 
 void Foam::fsi::objectFeed::feed
 (
-    Random& random,
+    randomNumbers& random,
     const point& centre,
     const tensor& rotation
 )

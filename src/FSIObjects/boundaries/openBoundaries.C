@@ -2,6 +2,7 @@
 
 #include "openBoundaries.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -21,7 +22,7 @@ void Foam::fsi::openBoundaries::read()
     {
         return;
     }
-    removed_ = dict.get<labelList>("removed");
+    removed_ = getEntry<labelList>(dict, "removed");
     const dictionary& feeds = dict.subOrEmptyDict("feed");
     for (objectFeed& feed : feeds_)
     {
@@ -187,18 +188,18 @@ void Foam::fsi::openBoundaries::write() const
     const Time& time = grid_.mesh().time();
     writeFile
     (
-        time, time.timeName(), "uniform", "fsiBoundaries", IOstream::ASCII,
+        time, nameOf(time), "uniform", "fsiBoundaries", IOstream::ASCII,
         [&](Ostream& os)
         {
-            removed_.writeEntry("removed", os);
-            os.beginBlock("feed");
+            putList(os, "removed", removed_);
+            beginDict(os, "feed");
             for (const objectFeed& feed : feeds_)
             {
-                os.beginBlock(feed.patch());
+                beginDict(os, feed.patch());
                 feed.write(os);
-                os.endBlock();
+                endDict(os);
             }
-            os.endBlock();
+            endDict(os);
         }
     );
 }

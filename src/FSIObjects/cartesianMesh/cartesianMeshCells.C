@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianMesh.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -61,8 +62,8 @@ Foam::label Foam::fsi::cartesianMesh::nextCell
     {
         return next;
     }
-    const auto face = coupledFaces_.cfind(side(celli, dir, upwards));
-    return face.found() ? -2 - face.val() : -1;
+    const label* face = findIn(coupledFaces_, side(celli, dir, upwards));
+    return face ? -2 - *face : -1;
 }
 
 

@@ -3,6 +3,7 @@
 #include "domainSides.H"
 #include "ListOps.H"
 #include "emptyPolyPatch.H"
+#include "openfoamVersion.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
@@ -168,7 +169,7 @@ Foam::label Foam::fsi::domainSides::findPatch(const word& patch) const
     label found = -1;
     for (label sidei = 0; sidei < 6; ++sidei)
     {
-        if (patches_[sidei].found(patch))
+        if (isIn(patches_[sidei], patch))
         {
             if (found >= 0)
             {

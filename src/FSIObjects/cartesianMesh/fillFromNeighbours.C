@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fillFromNeighbours.H"
+#include "openfoamMesh.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -39,7 +40,7 @@ bool meanOfKnown
             total += w*known[other];
             sum += w*known[other]*values[other];
         }
-        else if (patches[patches.patchID()[outside]].coupled())
+        else if (patches[fsi::patchOfFaces(patches)[outside]].coupled())
         {
             total += w*coupledKnown[outside];
             sum += w*coupledKnown[outside]*coupledValues[outside];

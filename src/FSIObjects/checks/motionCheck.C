@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "motionCheck.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -70,7 +71,7 @@ void Foam::fsi::motionCheck::checkSpeeds
                 << "Object " << objects_.objectId(objecti)
                 << " moves " << way/spacing
                 << " cells in one step, more than half of the domain, at time "
-                << time_.timeName() << nl
+                << nameOf(time_) << nl
                 << "The run has lost its stability: take a smaller deltaT or "
                 << "adjustTimeStep with maxCo; give very soft bodies a "
                 << "viscosity (material), and with coupling weak take heavier "
@@ -98,8 +99,8 @@ void Foam::fsi::motionCheck::checkElements() const
             FatalErrorInFunction
                 << "The tetrahedra at " << number << " nodes of object "
                 << objects_.objectId(objecti) << " are inverted at time "
-                << time_.timeName() << ": the body, of shape "
-                << time_.path()/time_.caseConstant()/bodyGroups::folder/name
+                << nameOf(time_) << ": the body, of shape "
+                << time_.path()/caseConstant(time_)/bodyGroups::folder/name
                 << ", has turned inside out there" << nl
                 << "Take a smaller deltaT or adjustTimeStep with maxCo, a "
                 << "larger E or a viscosity (material), or a finer mesh; the "

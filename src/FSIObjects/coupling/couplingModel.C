@@ -3,6 +3,7 @@
 #include "couplingModel.H"
 #include "findRefCell.H"
 #include "objectContact.H"
+#include "openfoamMesh.H"
 #include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -106,7 +107,7 @@ void Foam::fsi::couplingModel::solveFluidPressure
 ) const
 {
     fixInactive(p, pEqn);
-    dictionary controls(p.mesh().solutionDict().subDict("PISO"));
+    dictionary controls(solutionControls(p.mesh()).subDict(stepControlsName()));
     if (!controls.found("pRefCell") && !controls.found("pRefPoint"))
     {
         controls.add("pRefCell", 0);

@@ -5,6 +5,7 @@
 #include "dictionaryCheck.H"
 #include "filmPressure.H"
 #include "objectResponse.H"
+#include "openfoamVersion.H"
 #include "openLaplacian.H"
 #include "sharedPrediction.H"
 
@@ -102,7 +103,7 @@ void Foam::fsi::solidImplicit::begin
             IOobject
             (
                 p.name(),
-                p.mesh().time().timeName(),
+                nameOf(p.mesh().time()),
                 p.mesh(),
                 IOobject::NO_READ,
                 IOobject::NO_WRITE,
@@ -112,7 +113,7 @@ void Foam::fsi::solidImplicit::begin
         )
     );
     passes_.begin();
-    volScalarField& last = oldPressure_.ref();
+    volScalarField& last = oldPressure_();
     answerAcceleration(last);
     fillFilmCells(system_.geometry, last);
     setGradient();
@@ -211,7 +212,7 @@ bool Foam::fsi::solidImplicit::again(volScalarField& p, const volVectorField&)
     }
 
     // The objects answer to the change of the load as in (5.9)
-    volScalarField& start = oldPressure_.ref();
+    volScalarField& start = oldPressure_();
     const scalarField last(system_.walls.atWalls(start.primitiveField()));
     const vectorField lastForce(gradientForce_);
     p.primitiveFieldRef() =

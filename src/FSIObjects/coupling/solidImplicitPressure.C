@@ -2,7 +2,8 @@
 
 #include "solidImplicit.H"
 #include "dictionaryCheck.H"
-#include "FlatOutput.H"
+#include "openfoamMesh.H"
+#include "openfoamTypes.H"
 #include "objectResponse.H"
 #include "openLaplacian.H"
 
@@ -17,8 +18,8 @@ namespace fsi
 //  log says so if it is another than the one of this coupling.
 static const dictionary& checkedControls(const volScalarField& p)
 {
-    const dictionary& controls = p.mesh().solverDict(p.name());
-    const word solver(controls.get<word>("solver"));
+    const dictionary& controls = solverControls(p.mesh(), p.name());
+    const word solver(getEntry<word>(controls, "solver"));
     const auto& known = *lduMatrix::solver::symMatrixConstructorTablePtr_;
     if (!known.found(solver))
     {
@@ -81,10 +82,10 @@ void Foam::fsi::solidImplicit::updateMultigrid
     const tmp<scalarField> g(conductance_.conductance());
     scalarField diagonal(pEqn.diag());
     objectsConductance::add(g(), 1, pEqn);
-    multigrid_->update(pEqn, pEqn.boundaryCoeffs(), interfaces);
+    multigrid_->update(pEqn, boundaryCoeffsOf(pEqn), interfaces);
     objectsConductance::add(g(), -1, pEqn);
     pEqn.diag().swap(diagonal);
-    multigrid_->updateProduct(pEqn, pEqn.boundaryCoeffs(), interfaces);
+    multigrid_->updateProduct(pEqn, boundaryCoeffsOf(pEqn), interfaces);
 }
 
 
@@ -101,7 +102,7 @@ void Foam::fsi::solidImplicit::solveWithObjects
     addPatchParts(active, p, pEqn, b);
     updateMultigrid(p, pEqn);
 
-    const dictionary& controls = p.mesh().solverDict(p.name());
+    const dictionary& controls = solverControls(p.mesh(), p.name());
     cartesianMultigrid::loopControls loop;
     loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
     loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
@@ -111,7 +112,7 @@ void Foam::fsi::solidImplicit::solveWithObjects
         p.primitiveFieldRef(), b, p.name(), loop, &term
     );
     system_.log->solved(performance);
-    p.mesh().setSolverPerformance(p.name(), performance);
+    keepResiduals(p.mesh(), performance);
 
     // Inside the objects nothing is solved for
     forAll(active, celli)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "suddenAcceleration.H"
+#include "openfoamMesh.H"
 #include "openLaplacian.H"
 #include "openfoamVersion.H"
 #include "rigidForce.H"
@@ -69,14 +70,14 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::suddenAcceleration::flux
     const fvMesh& mesh = p.mesh();
     const surfaceScalarField& open = system_.geometry.openArea();
     const vector step(system_.deltaT()*driving_);
-    auto tflux = tmp<surfaceScalarField>::New
+    auto tflux = newTmp<surfaceScalarField>
     (
         IOobject("suddenFlux", nameOf(mesh.time()), mesh),
         mesh,
         dimVelocity*dimArea
     );
     surfaceScalarField& flux = tflux.ref();
-    flux.setOriented();
+    setOriented(flux);
     flux.primitiveFieldRef() =
         open.primitiveField()*(mesh.Sf().primitiveField() & step);
     forAll(flux.boundaryField(), patchi)

@@ -4,6 +4,7 @@
 #include "dictionaryCheck.H"
 #include "errorOf.H"
 #include "fsiSystem.H"
+#include "openfoamMesh.H"
 #include "sumOverRanks.H"
 #include "wallPolyPatch.H"
 
@@ -30,7 +31,7 @@ static void checkValues
             if (!isUsable(component(value, d)))
             {
                 FatalErrorInFunction
-                    << "Entry '" << place << "' in file " << field.objectPath()
+                    << "Entry '" << place << "' in file " << pathOf(field)
                     << " has the value " << value << " but all must be < 1e15"
                     << exit(FatalError);
             }
@@ -62,14 +63,14 @@ static void checkPressure(const volScalarField& p)
         if (patch.type() == "fixedFluxPressure")
         {
             FatalErrorInFunction
-                << "Entry '" << name << "' in file " << p.objectPath()
+                << "Entry '" << name << "' in file " << pathOf(p)
                 << " is fixedFluxPressure, which this solver does not know:"
                 << " take zeroGradient" << exit(FatalError);
         }
         if (isA<wallPolyPatch>(patch.patch().patch()) && patch.fixesValue())
         {
             FatalErrorInFunction
-                << "Entry '" << name << "' in file " << p.objectPath()
+                << "Entry '" << name << "' in file " << pathOf(p)
                 << " gives the pressure at a wall: take zeroGradient, or make"
                 << " it a patch" << exit(FatalError);
         }
@@ -80,14 +81,14 @@ static void checkPressure(const volScalarField& p)
 //- Controls of a field's solver
 static void checkControls(const fvMesh& mesh, const word& field)
 {
-    const dictionary& solution = mesh.solutionDict();
-    if (!mesh.solutionDict().subOrEmptyDict("solvers").isDict(field))
+    const dictionary& solution = solutionControls(mesh);
+    if (!solutionControls(mesh).subOrEmptyDict("solvers").isDict(field))
     {
         FatalIOErrorInFunction(solution)
             << "Entry 'solvers' in dictionary " << solution.name()
             << " has no dictionary '" << field << "'" << exit(FatalIOError);
     }
-    const dictionary& controls = mesh.solverDict(field);
+    const dictionary& controls = solverControls(mesh, field);
     for (const word& key : {"tolerance", "relTol"})
     {
         const scalar value = controls.lookupOrDefault<scalar>(key, 0);
@@ -135,7 +136,7 @@ static void checkInlets(const volVectorField& U, const boolList& active)
         if (sums[0] > 0 && sums[1] == 0)
         {
             FatalErrorInFunction
-                << "Entry '" << faces.name() << "' in file " << U.objectPath()
+                << "Entry '" << faces.name() << "' in file " << pathOf(U)
                 << " gives an inflow, but objects block the whole patch: no"
                 << " velocity of the fluid can be found" << exit(FatalError);
         }

@@ -5,8 +5,10 @@
 #include "dictionaryCheck.H"
 #include "motionCheck.H"
 #include "objectContact.H"
+#include "openfoamVersion.H"
 #include "restartFiles.H"
-#include "StringStream.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -80,7 +82,7 @@ Foam::fsi::fsiObjects::fsiObjects
         IOobject
         (
             "signedDistance",
-            mesh.time().timeName(),
+            nameOf(mesh.time()),
             mesh,
             IOobject::NO_READ,
             IOobject::AUTO_WRITE
@@ -93,7 +95,7 @@ Foam::fsi::fsiObjects::fsiObjects
         IOobject
         (
             "objectLabel",
-            mesh.time().timeName(),
+            nameOf(mesh.time()),
             mesh,
             IOobject::NO_READ,
             IOobject::AUTO_WRITE

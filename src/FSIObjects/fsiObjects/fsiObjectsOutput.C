@@ -75,7 +75,7 @@ void Foam::fsi::fsiObjects::writeRows()
 void Foam::fsi::fsiObjects::write()
 {
     report();
-    const bool output = mesh_.time().outputTime();
+    const bool output = mesh_.time().writeTime();
     if (output || writer_.objectsWanted())
     {
         writeRows();
@@ -103,6 +103,14 @@ void Foam::fsi::fsiObjects::write()
     system_.driving->write();
     timeError_.write();
     restartFiles::write(mesh_);
+}
+
+
+void Foam::fsi::fsiObjects::summary(Ostream& os) const
+{
+    timeError_.report(os);
+    system_.log->report(os);
+    timer_.report(os);
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "restartFiles.H"
 #include "dictionaryCheck.H"
+#include "openfoamMesh.H"
 #include "OSspecific.H"
 #include "stateChecks.H"
 #include "sumOverRanks.H"
@@ -49,7 +50,7 @@ static const restartFile uniformFiles[] =
 template<class Field>
 static void appendWritten(const fvMesh& mesh, DynamicList<word>& names)
 {
-    for (const word& name : mesh.sortedNames<Field>())
+    for (const word& name : namesIn<Field>(mesh))
     {
         if
         (
@@ -124,11 +125,11 @@ void Foam::fsi::restartFiles::write(const fvMesh& mesh)
     }
     writeFile
     (
-        time, time.timeName(), "uniform", "fsiRestart", IOstream::ASCII,
+        time, nameOf(time), "uniform", "fsiRestart", IOstream::ASCII,
         [&](Ostream& os)
         {
-            os.writeEntry("fields", fields);
-            os.writeEntry("files", files);
+            putEntry(os, "fields", fields);
+            putEntry(os, "files", files);
         }
     );
 }
@@ -156,18 +157,18 @@ void Foam::fsi::restartFiles::check(const fvMesh& mesh)
             << " ones. Take writeFormat binary, or writePrecision 17, for the"
             << " run without a stop" << nl << endl;
     }
-    const wordList fields(list.get<wordList>("fields"));
-    const wordList files(list.get<wordList>("files"));
+    const wordList fields(getEntry<wordList>(list, "fields"));
+    const wordList files(getEntry<wordList>(list, "files"));
     for (const restartFile& file : fieldFiles)
     {
-        if (fields.found(file.name))
+        if (isIn(fields, file.name))
         {
             checkFile(list, time.timePath(), file);
         }
     }
     for (const restartFile& file : uniformFiles)
     {
-        if (files.found(file.name))
+        if (isIn(files, file.name))
         {
             checkFile(list, time.timePath()/"uniform", file);
         }

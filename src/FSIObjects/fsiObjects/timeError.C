@@ -33,9 +33,9 @@ Foam::fsi::timeError::timeError(const fvMesh& mesh)
     const dictionary state(readState(mesh.time(), "fsiTimeError"));
     if (!state.empty())
     {
-        scale_ = state.get<scalar>("scale");
-        ofTime_ = state.get<scalar>("ofTime");
-        ofSplitting_ = state.get<scalar>("ofSplitting");
+        scale_ = getEntry<scalar>(state, "scale");
+        ofTime_ = getEntry<scalar>(state, "ofTime");
+        ofSplitting_ = getEntry<scalar>(state, "ofSplitting");
     }
 }
 

@@ -210,7 +210,7 @@ void Foam::fsi::timeStep::checkCollapse
         return;
     }
     FatalErrorInFunction
-        << "At time " << time_.timeName() << " the time step falls to " << dt
+        << "At time " << nameOf(time_) << " the time step falls to " << dt
         << " s, below " << limit << " s";
     if (fluidSpeed >= 0)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "faceVelocities.H"
+#include "openfoamMesh.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -132,7 +133,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::middleVelocity
     if (v.gradient)
     {
         // Patches that fix the velocity keep it
-        sum = tmp<volVectorField>::New("HbyA", v.U);
+        sum = newTmp<volVectorField>("HbyA", v.U);
         vectorField& u = sum.ref().primitiveFieldRef();
         forAll(u, celli)
         {
@@ -141,14 +142,14 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::middleVelocity
         sum.ref().correctBoundaryConditions();
     }
 
-    auto tvelocity = tmp<surfaceScalarField>::New
+    auto tvelocity = newTmp<surfaceScalarField>
     (
-        IOobject("faceVelocity", mesh.time().timeName(), mesh),
+        IOobject("faceVelocity", nameOf(mesh.time()), mesh),
         mesh,
         dimVelocity
     );
     surfaceScalarField& velocity = tvelocity.ref();
-    velocity.setOriented();
+    setOriented(velocity);
     const vectorField& cells = sum().primitiveField();
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
@@ -185,7 +186,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::wholeFlux
 {
     const surfaceScalarField& open = geometry_.openArea();
     const scalar area = geometry_.grid().faceArea();
-    auto tflux = tmp<surfaceScalarField>::New("convectiveFlux", phi);
+    auto tflux = newTmp<surfaceScalarField>("convectiveFlux", phi);
     surfaceScalarField& flux = tflux.ref();
     const labelUList& own = U.mesh().owner();
     const labelUList& nei = U.mesh().neighbour();

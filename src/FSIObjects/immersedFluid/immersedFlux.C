@@ -3,6 +3,7 @@
 #include "immersedFlux.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
+#include "openfoamMesh.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -119,7 +120,7 @@ Foam::fsi::immersedFlux::immersedFlux
         IOobject
         (
             "faceHistory",
-            geometry.grid().mesh().time().timeName(),
+            nameOf(geometry.grid().mesh().time()),
             geometry.grid().mesh(),
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
@@ -136,7 +137,7 @@ Foam::fsi::immersedFlux::immersedFlux
     )
 {
     // Files of earlier versions do not say so
-    faceHistory_.setOriented();
+    setOriented(faceHistory_);
 }
 
 

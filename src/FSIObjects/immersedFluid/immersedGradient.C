@@ -3,6 +3,7 @@
 #include "immersedGradient.H"
 #include "fetchAhead.H"
 #include "gradientSums.H"
+#include "openfoamVersion.H"
 #include "openLaplacian.H"
 #include "swapCoupledCells.H"
 #include "extrapolatedCalculatedFvPatchFields.H"
@@ -154,7 +155,7 @@ void Foam::fsi::immersedGradient::sumPatchGradients
         (
             counts
           ? normalGradient(pp)
-          : tmp<scalarField>::New(pp.size(), Zero)
+          : newTmp<scalarField>(pp.size(), Zero)
         );
         forAll(pp, i)
         {
@@ -207,9 +208,9 @@ Foam::tmp<Foam::volVectorField> Foam::fsi::immersedGradient::openGradient
 {
     const fvMesh& mesh = p.mesh();
 
-    auto tgradient = tmp<volVectorField>::New
+    auto tgradient = newTmp<volVectorField>
     (
-        IOobject("grad(p)", mesh.time().timeName(), mesh),
+        IOobject("grad(p)", nameOf(mesh.time()), mesh),
         mesh,
         dimensionedVector(p.dimensions()/dimLength, Zero),
         extrapolatedCalculatedFvPatchVectorField::typeName

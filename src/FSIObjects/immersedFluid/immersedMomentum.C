@@ -4,6 +4,7 @@
 #include "dictionaryCheck.H"
 #include "fetchAhead.H"
 #include "fvmDiv.H"
+#include "openfoamMesh.H"
 #include "openLaplacian.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -249,15 +250,15 @@ void Foam::fsi::immersedMomentum::constrain(fvVectorMatrix& UEqn) const
             }
         }
     }
-    forAll(UEqn.internalCoeffs(), patchi)
+    forAll(internalCoeffsOf(UEqn), patchi)
     {
         const labelUList& cells = UEqn.lduAddr().patchAddr(patchi);
-        forAll(UEqn.internalCoeffs()[patchi], i)
+        forAll(internalCoeffsOf(UEqn)[patchi], i)
         {
             if (!fluid[cells[i]])
             {
-                UEqn.internalCoeffs()[patchi][i] = Zero;
-                UEqn.boundaryCoeffs()[patchi][i] = Zero;
+                internalCoeffsOf(UEqn)[patchi][i] = Zero;
+                boundaryCoeffsOf(UEqn)[patchi][i] = Zero;
             }
         }
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "openfoamMesh.H"
 #include "openLaplacian.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -16,7 +17,7 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::openLaplacian
     const scalar whole =
         rAU*geometry.grid().faceArea()/geometry.grid().spacing();
 
-    auto tequation = tmp<fvScalarMatrix>::New
+    auto tequation = newTmp<fvScalarMatrix>
     (
         p,
         dimVolume*p.dimensions()*dimTime/dimArea
@@ -82,9 +83,9 @@ void Foam::fsi::addPatchParts
         {
             if (active[cells[i]])
             {
-                diagonal[cells[i]] += pEqn.internalCoeffs()[patchi][i];
+                diagonal[cells[i]] += internalCoeffsOf(pEqn)[patchi][i];
                 b[cells[i]] +=
-                    coupled ? 0 : pEqn.boundaryCoeffs()[patchi][i];
+                    coupled ? 0 : boundaryCoeffsOf(pEqn)[patchi][i];
             }
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "interfaceGeometry.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -77,13 +78,13 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
     patchWalls_(open_),
     openArea_
     (
-        IOobject("openArea", grid.mesh().time().timeName(), grid.mesh()),
+        IOobject("openArea", nameOf(grid.mesh().time()), grid.mesh()),
         grid.mesh(),
         dimensionedScalar("value", dimless, 1)
     ),
     fluidFace_
     (
-        IOobject("fluidFace", grid.mesh().time().timeName(), grid.mesh()),
+        IOobject("fluidFace", nameOf(grid.mesh().time()), grid.mesh()),
         grid.mesh(),
         dimensionedScalar("value", dimless, 1)
     )

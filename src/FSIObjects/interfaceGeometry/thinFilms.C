@@ -3,6 +3,7 @@
 #include "thinFilms.H"
 #include "fetchAhead.H"
 #include "levelSetUpdate.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -151,7 +152,7 @@ Foam::fsi::thinFilms::thinFilms(const openParts& open)
         IOobject
         (
             "filmChange",
-            grid_.mesh().time().timeName(),
+            nameOf(grid_.mesh().time()),
             grid_.mesh(),
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "openfoamMesh.H"
 #include "redBlackMatrix.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -33,7 +34,7 @@ void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
     const labelListList& patchSlot = order_.patchSlot();
     forAll(patchSlot, patchi)
     {
-        const vectorField& coeffs = equation.boundaryCoeffs()[patchi];
+        const vectorField& coeffs = boundaryCoeffsOf(equation)[patchi];
         forAll(patchSlot[patchi], i)
         {
             coefficient_[patchSlot[patchi][i]] = -coeffs[i].x();
@@ -58,12 +59,12 @@ void Foam::fsi::redBlackMatrix::setDiagonal(const fvVectorMatrix& equation)
             x_[place + d] = U[celli][d];
         }
     }
-    forAll(equation.internalCoeffs(), patchi)
+    forAll(internalCoeffsOf(equation), patchi)
     {
         const labelUList& cells =
             equation.lduAddr().patchAddr(patchi);
-        const vectorField& internal = equation.internalCoeffs()[patchi];
-        const vectorField& boundary = equation.boundaryCoeffs()[patchi];
+        const vectorField& internal = internalCoeffsOf(equation)[patchi];
+        const vectorField& boundary = boundaryCoeffsOf(equation)[patchi];
         const bool coupled = equation.psi().boundaryField()[patchi].coupled();
         forAll(cells, i)
         {

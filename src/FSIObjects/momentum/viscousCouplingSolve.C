@@ -3,6 +3,7 @@
 #include "viscousCoupling.H"
 #include "dictionaryCheck.H"
 #include "linkForces.H"
+#include "openfoamMesh.H"
 #include "shortWaveStress.H"
 #include "sumOverRanks.H"
 #include "solverPerformance.H"
@@ -92,7 +93,7 @@ void Foam::fsi::viscousCoupling::sweep
 )
 {
     const dictionary& controls =
-        system_.grid.mesh().solverDict(result.fieldName());
+        solverControls(system_.grid.mesh(), result.fieldName());
     const label maxIter = readAtLeast(controls, "maxIter", 1000, 1);
     const scalar tolerance =
         controls.lookupOrDefault<scalar>("tolerance", 1e-7);
@@ -152,9 +153,9 @@ void Foam::fsi::viscousCoupling::solve
     sweep(result, boundary);
     system_.log->solved(result);
     // All components are swept together
-    U.mesh().setSolverPerformance
+    keepResiduals
     (
-        U.name(),
+        U.mesh(),
         SolverPerformance<vector>
         (
             result.solverName(),
@@ -178,7 +179,7 @@ void Foam::fsi::viscousCoupling::addResponse
     volVectorField& U
 )
 {
-    const dictionary& controls = U.mesh().solverDict(U.name());
+    const dictionary& controls = solverControls(U.mesh(), U.name());
     const label maxIter = readAtLeast(controls, "responseMaxIter", 5, 1);
     const scalar tolerance =
         readPositive(controls, "responseTolerance", 0.05);

@@ -57,7 +57,7 @@ static void appendSprings
     forAll(shape.springs(), springi)
     {
         const edge& spring = shape.springs()[springi];
-        const label a = start + spring.first(), b = start + spring.second();
+        const label a = start + spring[0], b = start + spring[1];
         data.cells[celli] = labelList({a, b});
         data.cellLabels("object")[celli] = group.objectIds()[copyi];
         data.cellLabels("shape")[celli] = groupi;

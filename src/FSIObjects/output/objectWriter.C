@@ -2,8 +2,7 @@
 
 #include "objectWriter.H"
 #include "dictionaryCheck.H"
-#include "FlatOutput.H"
-#include "functionObject.H"
+#include "openfoamTypes.H"
 #include "objectPolyData.H"
 #include "surfacePredicates.H"
 #include "Switch.H"
@@ -70,7 +69,7 @@ Foam::fsi::objectWriter::objectWriter
 
     const fileName folder
     (
-        time.globalPath()/functionObject::outputPrefix/bodyGroups::folder
+        time.globalPath()/"postProcessing"/bodyGroups::folder
        /time.timeName(time.startTime().value())
     );
     const bool binary = dict.lookupOrDefault<Switch>("binary", true);

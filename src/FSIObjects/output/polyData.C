@@ -1,55 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "polyData.H"
-#include "foamVtkOutput.H"
-#include "foamVtkOutputOptions.H"
 #include "OSspecific.H"
+#include "vtkXml.H"
 
 #include <fstream>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Write a named array of labels
-static void writeArray
-(
-    vtk::formatter& format,
-    const word& name,
-    const labelUList& values
-)
-{
-    format.beginDataArray<label>(name);
-    format.writeSize(vtk::sizeofData<label>(values.size()));
-    vtk::writeList(format, values);
-    format.flush();
-    format.endDataArray();
-}
-
-
-//- Write a named array of scalars or vectors in single precision
-template<class Type>
-static void writeArray
-(
-    vtk::formatter& format,
-    const word& name,
-    const UList<Type>& values
-)
-{
-    constexpr direction nComponents = pTraits<Type>::nComponents;
-    format.beginDataArray<float, nComponents>(name);
-    format.writeSize(vtk::sizeofData<float, nComponents>(values.size()));
-    vtk::writeList(format, values);
-    format.flush();
-    format.endDataArray();
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -80,7 +35,7 @@ void Foam::fsi::polyData::checkSizes() const
 }
 
 
-void Foam::fsi::polyData::writeCells(vtk::formatter& format) const
+void Foam::fsi::polyData::writeCells(vtkXml& xml) const
 {
     labelList offsets(cells.size());
     label n = 0;
@@ -100,51 +55,47 @@ void Foam::fsi::polyData::writeCells(vtk::formatter& format) const
         }
     }
 
-    const vtk::fileTag tag =
-        kind_ == POLYGONS ? vtk::fileTag::POLYS : vtk::fileTag::LINES;
-    format.tag(tag);
-    writeArray(format, "connectivity", connectivity);
-    writeArray(format, "offsets", offsets);
-    format.endTag(tag);
+    xml.begin(kind_ == POLYGONS ? "Polys" : "Lines");
+    xml.array("connectivity", connectivity);
+    xml.array("offsets", offsets);
+    xml.end();
 }
 
 
-void Foam::fsi::polyData::writePiece(vtk::formatter& format) const
+void Foam::fsi::polyData::writePiece(vtkXml& xml) const
 {
-    format.tag
+    xml.begin
     (
-        vtk::fileTag::PIECE,
-        vtk::fileAttr::NUMBER_OF_POINTS, points.size(),
-        kind_ == POLYGONS
-      ? vtk::fileAttr::NUMBER_OF_POLYS
-      : vtk::fileAttr::NUMBER_OF_LINES,
-        cells.size()
+        "Piece",
+        "NumberOfPoints='" + std::to_string(points.size())
+      + (kind_ == POLYGONS ? "' NumberOfPolys='" : "' NumberOfLines='")
+      + std::to_string(cells.size()) + "'"
     );
 
-    format.tag(vtk::fileTag::POINTS);
-    writeArray<point>(format, "Points", points);
-    format.endTag(vtk::fileTag::POINTS);
+    xml.begin("Points");
+    xml.array("Points", points);
+    xml.end();
 
-    writeCells(format);
+    writeCells(xml);
 
-    format.beginCellData();
+    xml.begin("CellData");
     for (const auto& data : cellLabels_)
     {
-        writeArray(format, data.first, data.second);
+        xml.array(data.first, data.second);
     }
     for (const auto& data : cellScalars_)
     {
-        writeArray<scalar>(format, data.first, data.second);
+        xml.array(data.first, data.second);
     }
-    format.endCellData();
+    xml.end();
 
-    format.beginPointData();
+    xml.begin("PointData");
     for (const auto& data : pointVectors_)
     {
-        writeArray<vector>(format, data.first, data.second);
+        xml.array(data.first, data.second);
     }
-    format.endPointData();
-    format.endPiece();
+    xml.end();
+    xml.end();
 }
 
 
@@ -169,21 +120,15 @@ void Foam::fsi::polyData::write
     mkDir(file.path());
 
     std::ofstream os(file);
-    autoPtr<vtk::formatter> format = vtk::newFormatter
-    (
-        os,
-        binary ? vtk::formatType::INLINE_BASE64 : vtk::formatType::INLINE_ASCII,
-        9u
-    );
-
-    format().xmlHeader();
-    format().beginVTKFile<vtk::fileTag::POLY_DATA>();
-    format().beginFieldData();
-    format().writeTimeValue(time);
-    format().endFieldData();
-    writePiece(format());
-    format().endTag(vtk::fileTag::POLY_DATA);
-    format().endVTKFile();
+    vtkXml xml(os, binary);
+    xml.beginFile("PolyData");
+    xml.begin("PolyData");
+    xml.begin("FieldData");
+    xml.time(time);
+    xml.end();
+    writePiece(xml);
+    xml.end();
+    xml.end();
 
     os.close();
     if (!os)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "polyDataSeries.H"
+#include "openfoamVersion.H"
 #include "OSspecific.H"
-#include "stringOps.H"
+#include "OFstream.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -17,9 +18,9 @@ Foam::fsi::polyDataSeries::polyDataSeries
     name_(name),
     binary_(binary)
 {
-    for (const fileName& file : readDir(folder_, fileName::FILE, false))
+    for (const fileName& file : filesIn(folder_))
     {
-        if (file.startsWith(name_ + "_") && file.hasExt("vtp"))
+        if (file.find(name_ + "_") == 0 && file.ext() == "vtp")
         {
             rm(folder_/file);
         }
@@ -32,12 +33,21 @@ Foam::fsi::polyDataSeries::polyDataSeries
 void Foam::fsi::polyDataSeries::write(const polyData& data, const scalar time)
 {
     char number[16];
-    std::snprintf(number, sizeof(number), "%06d", int(series_.size()));
+    std::snprintf(number, sizeof(number), "%06d", int(times_.size()));
     const fileName file(name_ + "_" + number + ".vtp");
 
     data.write(folder_/file, time, binary_);
-    series_.append(time, file);
-    series_.write(folder_/(name_ + ".vtp"));
+    files_.append(file);
+    times_.append(time);
+
+    OFstream os(folder_/(name_ + ".vtp.series"));
+    os  << "{\n  \"file-series-version\" : \"1.0\",\n  \"files\" : [\n";
+    forAll(files_, i)
+    {
+        os  << "    { \"name\" : \"" << files_[i].c_str() << "\", \"time\" : "
+            << times_[i] << " }" << (i + 1 < files_.size() ? "," : "") << nl;
+    }
+    os  << "  ]\n}\n";
 }
 
 

@@ -143,8 +143,8 @@ Foam::string Foam::fsi::runLog::line
     }
     for (const word& name : names_)
     {
-        const auto n = counts_.cfind(name);
-        parts.append(name + " " + std::to_string(n.found() ? n.val() : 0));
+        const auto* n = findIn(counts_, name);
+        parts.append(name + " " + std::to_string(n ? *n : 0));
     }
     parts.append("contacts " + std::to_string(record.contacts));
     if (record.smallestGap < GREAT)

@@ -3,6 +3,7 @@
 #include "stepHistory.H"
 #include "error.H"
 #include "ListOps.H"
+#include "openfoamVersion.H"
 #include "OSspecific.H"
 
 #include <cmath>
@@ -45,7 +46,7 @@ static wordList runs(const fileName& folder)
 {
     DynamicList<word> names;
     DynamicList<scalar> starts;
-    for (const fileName& name : readDir(folder, fileName::DIRECTORY))
+    for (const fileName& name : foldersIn(folder))
     {
         if (isFile(folder/name/"global.csv"))
         {
@@ -53,7 +54,7 @@ static wordList runs(const fileName& folder)
             starts.append(std::strtod(name.c_str(), nullptr));
         }
     }
-    return wordList(names, sortedOrder(starts));
+    return wordList(names, orderOf(starts));
 }
 
 } // End namespace fsi
@@ -88,9 +89,9 @@ void Foam::fsi::stepHistory::cut(const scalar time)
     {
         --n;
     }
-    forAllIters(columns_, column)
+    for (auto& column : columns_)
     {
-        column.val().resize(n);
+        column.resize(n);
     }
 }
 
@@ -137,16 +138,16 @@ Foam::label Foam::fsi::stepHistory::size() const
 
 Foam::scalarField Foam::fsi::stepHistory::column(const word& name) const
 {
-    const auto values = columns_.cfind(name);
-    if (!values.found() || values.val().size() != size())
+    const auto* values = findIn(columns_, name);
+    if (!values || values->size() != size())
     {
         FatalErrorInFunction
             << "The files global.csv in " << folder_ << " have "
-            << (values.found() ? "not all a column " : "no column ") << name
+            << (values ? "not all a column " : "no column ") << name
             << "; there are " << flatOutput(columns_.sortedToc())
             << exit(FatalError);
     }
-    return scalarField(values.val());
+    return scalarField(*values);
 }
 
 

@@ -5,6 +5,7 @@
 #include "errorOf.H"
 #include "IFstream.H"
 #include "instantList.H"
+#include "openfoamVersion.H"
 #include "OSspecific.H"
 #include "Time.H"
 
@@ -32,7 +33,7 @@ static wordList fieldsOf(const fileName& timeFolder)
             [&]()
             {
                 IFstream is(list);
-                fields = dictionary(is).get<wordList>("fields");
+                fields = getEntry<wordList>(dictionary(is), "fields");
             }
         );
     }
@@ -65,7 +66,7 @@ static bool startsFromLatest(const fileName& caseFolder)
         [&]()
         {
             IFstream is(caseFolder/"system"/"controlDict");
-            start = dictionary(is).get<word>("startFrom");
+            start = getEntry<word>(dictionary(is), "startFrom");
         }
     );
     return start == "latestTime";
@@ -80,7 +81,7 @@ static bool startsFromLatest(const fileName& caseFolder)
 
 bool Foam::fsi::writtenFiles::hasEnd(const fileName& file)
 {
-    if (file.hasExt("gz"))
+    if (file.ext() == "gz")
     {
         return true;
     }
@@ -118,7 +119,7 @@ Foam::fileName Foam::fsi::writtenFiles::fault
     for (const char* local : {"", "uniform", "uniform/fsiObjects"})
     {
         const fileName folder(timeFolder/fileName(local));
-        for (const fileName& file : readDir(folder, fileName::FILE, false))
+        for (const fileName& file : filesIn(folder))
         {
             if (!hasEnd(folder/file))
             {
@@ -133,7 +134,7 @@ Foam::fileName Foam::fsi::writtenFiles::fault
 Foam::word Foam::fsi::writtenFiles::lastTime(const fileName& caseFolder)
 {
     const fileNameList ranks(rankFolders(caseFolder));
-    const instantList times(Time::findTimes(ranks[0]));
+    const instantList times(timesIn(ranks[0]));
     for (label i = times.size() - 1; i >= 0; --i)
     {
         bool complete = times[i].name() != "constant";
@@ -177,7 +178,7 @@ void Foam::fsi::writtenFiles::writeAndCheck
     if (!error.message.empty())
     {
         FatalErrorInFunction
-            << "Cannot write time " << time.timeName() << " of "
+            << "Cannot write time " << nameOf(time) << " of "
             << time.globalPath() << ": " << error.message.c_str() << nl
             << "Is the disk full? "
             << lastTimeNote(time.globalPath()).c_str() << exit(FatalError);
@@ -199,13 +200,13 @@ void Foam::fsi::writtenFiles::writeAndCheck
 
 void Foam::fsi::writtenFiles::setAside(const argList& args)
 {
-    const fileName caseFolder(args.globalPath());
+    const fileName caseFolder(args.rootPath()/args.globalCaseName());
     if (Pstream::master() && startsFromLatest(caseFolder))
     {
         const word last(lastTime(caseFolder));
         for (const fileName& rank : rankFolders(caseFolder))
         {
-            const instantList times(Time::findTimes(rank));
+            const instantList times(timesIn(rank));
             for (label i = times.size() - 1; i > 0; --i)
             {
                 if (last.empty() || times[i].name() == last)
@@ -219,7 +220,10 @@ void Foam::fsi::writtenFiles::setAside(const argList& args)
                     << " is renamed to " << times[i].name() << ".incomplete, "
                     << "and the run starts from " << last << nl << endl;
                 const fileName target(folder + ".incomplete");
-                rmDir(target, true);
+                if (isDir(target))
+                {
+                    rmDir(target);
+                }
                 mv(folder, target);
             }
         }

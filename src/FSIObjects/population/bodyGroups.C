@@ -3,6 +3,7 @@
 #include "bodyGroups.H"
 #include "dictionaryCheck.H"
 #include "IOobjectList.H"
+#include "openfoamVersion.H"
 #include "stateChecks.H"
 #include "writtenDictionary.H"
 
@@ -24,7 +25,7 @@ void Foam::fsi::bodyGroups::readGroup
     (
         stateFile::read
         (
-            stateFile::input(time_, time_.caseConstant(), folder, name)
+            stateFile::input(time_, readConstant(time_), folder, name)
         )
     );
     shapes_.append(new shapeTemplate(shape));
@@ -37,7 +38,7 @@ void Foam::fsi::bodyGroups::readGroup
         (
             stateFile::input
             (
-                time_, time_.timeName(), "uniform"/folder, name
+                time_, nameOf(time_), "uniform"/folder, name
             )
         )
     );
@@ -100,21 +101,21 @@ Foam::label Foam::fsi::bodyGroups::append
 
 void Foam::fsi::bodyGroups::read(const direction nDims, const label nextId)
 {
-    const IOobjectList files(time_, time_.caseConstant(), folder);
+    const IOobjectList files(time_, caseConstant(time_), folder);
     for (const word& name : files.sortedNames())
     {
         readGroup(name, nDims, nextId);
     }
 
-    const IOobjectList states(time_, time_.timeName(), "uniform"/folder);
+    const IOobjectList states(time_, nameOf(time_), "uniform"/folder);
     for (const word& name : states.sortedNames())
     {
         if (!files.found(name))
         {
             FatalErrorInFunction
                 << "There is no shape "
-                << time_.path()/time_.caseConstant()/folder/name
-                << " of the objects in " << states[name]->objectPath() << nl
+                << time_.path()/caseConstant(time_)/folder/name
+                << " of the objects in " << pathOf(*states[name]) << nl
                 << "Restore it, or run seedObjects"
                 << exit(FatalError);
         }
@@ -128,11 +129,11 @@ void Foam::fsi::bodyGroups::write() const
     {
         writeFile
         (
-            time_, time_.timeName(), "uniform"/folder,
+            time_, nameOf(time_), "uniform"/folder,
             shapes_[groupi].name(), time_.writeFormat(),
             [&](Ostream& os)
             {
-                motions_[groupi].writeEntry("motion", os);
+                putDict(os, "motion", motions_[groupi]);
                 groups_[groupi].write(os);
             }
         );
@@ -150,7 +151,7 @@ void Foam::fsi::bodyGroups::writeShapes() const
     {
         writeFile
         (
-            time_, time_.caseConstant(), folder, shapes_[groupi].name(),
+            time_, caseConstant(time_), folder, shapes_[groupi].name(),
             IOstream::ASCII,
             [&](Ostream& os) { shapes_[groupi].write(os); }
         );

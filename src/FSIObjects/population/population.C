@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "population.H"
+#include "openfoamVersion.H"
 #include "SubField.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -118,7 +119,7 @@ Foam::label Foam::fsi::population::findObject(const label objectId) const
 {
     forAll(groups(), groupi)
     {
-        const label copyi = groups()[groupi].objectIds().find(objectId);
+        const label copyi = indexOf(groups()[groupi].objectIds(), objectId);
         if (copyi >= 0)
         {
             return objectIndex(groupi, copyi);
@@ -151,7 +152,11 @@ void Foam::fsi::population::wrap(const periodicImages& images)
                 group.positions().col(nDims_*copyi + d).array() -=
                     n[d]*images.period()[d];
             }
-            periods_(group.objectIds()[copyi], labelVector::zero) += n;
+            const label objectId = group.objectIds()[copyi];
+            periods_.set
+            (
+                objectId, valueOr(periods_, objectId, labelVector::zero) + n
+            );
         }
     }
 }
@@ -159,7 +164,7 @@ void Foam::fsi::population::wrap(const periodicImages& images)
 
 Foam::labelVector Foam::fsi::population::periods(const label objecti) const
 {
-    return periods_.lookup(objectId(objecti), labelVector::zero);
+    return valueOr(periods_, objectId(objecti), labelVector::zero);
 }
 
 

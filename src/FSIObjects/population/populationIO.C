@@ -3,6 +3,7 @@
 #include "population.H"
 #include "dictionaryCheck.H"
 #include "errorOf.H"
+#include "openfoamVersion.H"
 #include "stateChecks.H"
 #include "writtenDictionary.H"
 
@@ -12,13 +13,13 @@ void Foam::fsi::population::readCounters()
 {
     const IOobject io
     (
-        stateFile::input(time_, time_.timeName(), "uniform", "fsiPopulation")
+        stateFile::input(time_, nameOf(time_), "uniform", "fsiPopulation")
     );
     if (!stateFile::exists(io))
     {
         FatalErrorInFunction
             << "There is no population of objects in "
-            << io.objectPath() << nl
+            << pathOf(io) << nl
             << "Run seedObjects, and decomposePar after it"
             << exit(FatalError);
     }
@@ -30,7 +31,7 @@ void Foam::fsi::population::readCounters()
         {"FoamFile", "nDims", "planeZ", "nextObjectId", "periods"}
     );
 
-    const label n = dict.get<label>("nDims");
+    const label n = getEntry<label>(dict, "nDims");
     if (n != 2 && n != 3)
     {
         FatalIOErrorInFunction(dict)
@@ -38,8 +39,8 @@ void Foam::fsi::population::readCounters()
             << " but must be 2 or 3" << exit(FatalIOError);
     }
     nDims_ = n;
-    planeZ_ = dict.get<scalar>("planeZ");
-    nextObjectId_ = dict.get<label>("nextObjectId");
+    planeZ_ = getEntry<scalar>(dict, "planeZ");
+    nextObjectId_ = getEntry<label>(dict, "nextObjectId");
     if (dict.found("periods"))
     {
         periods_ = readEntry<Map<labelVector>>(dict, "periods");
@@ -49,7 +50,7 @@ void Foam::fsi::population::readCounters()
 
 void Foam::fsi::population::checkPeriods() const
 {
-    forAllConstIters(periods_, iter)
+    forAllConstIter(Map<labelVector>, periods_, iter)
     {
         if (findObject(iter.key()) < 0)
         {
@@ -69,15 +70,15 @@ void Foam::fsi::population::write() const
 {
     writeFile
     (
-        time_, time_.timeName(), "uniform", "fsiPopulation", IOstream::ASCII,
+        time_, nameOf(time_), "uniform", "fsiPopulation", IOstream::ASCII,
         [&](Ostream& os)
         {
-            os.writeEntry("nDims", label(nDims_));
-            os.writeEntry("planeZ", planeZ_);
-            os.writeEntry("nextObjectId", nextObjectId_);
+            putEntry(os, "nDims", label(nDims_));
+            putEntry(os, "planeZ", planeZ_);
+            putEntry(os, "nextObjectId", nextObjectId_);
             if (periods_.size())
             {
-                os.writeEntry("periods", periods_);
+                putEntry(os, "periods", periods_);
             }
         }
     );

@@ -2,6 +2,7 @@
 
 #include "sharedPrediction.H"
 #include "admmSolver.H"
+#include "openfoamVersion.H"
 #include "Pstream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -87,7 +88,7 @@ void exchange
         const label nDims = groups[groupi].shape().nDims();
         return v[groupi].middleCols
         (
-            nDims*copies.start(), nDims*copies.size()
+            nDims*fsi::firstOf(copies), nDims*copies.size()
         );
     };
 

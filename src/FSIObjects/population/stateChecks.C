@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "stateChecks.H"
+#include "openfoamVersion.H"
 #include "stateFile.H"
 #include "sumOverRanks.H"
 
@@ -63,7 +64,7 @@ void Foam::fsi::stateChecks::checkIds
         label others = -1;
         for (const bodyGroup& group : groups)
         {
-            others += group.objectIds().found(id);
+            others += isIn(group.objectIds(), id);
         }
         if (others > 0 || id >= nextObjectId)
         {

@@ -4,9 +4,11 @@
 #include "entryPlaces.H"
 #include "errorOf.H"
 #include "localIOdictionary.H"
+#include "openfoamVersion.H"
 #include "OSspecific.H"
 #include "SHA1.H"
-#include "StringStream.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
 #include "Time.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -82,7 +84,7 @@ static void compareSums(dictionary& dict)
         if
         (
             e.isDict()
-         || textOf(e) != textOf(*present.findEntry(e.keyword()))
+         || textOf(e) != textOf(entryOf(present, e.keyword()))
         )
         {
             refuse(dict, e.keyword(), "does not match its check sum");
@@ -122,7 +124,7 @@ Foam::IOobject Foam::fsi::stateFile::input
 bool Foam::fsi::stateFile::exists(const IOobject& io)
 {
     // Also if it ends in .gz
-    return isFile(io.objectPath());
+    return isFile(pathOf(io));
 }
 
 
@@ -153,7 +155,7 @@ Foam::word Foam::fsi::stateFile::sum(const dictionary& content)
 
 Foam::dictionary Foam::fsi::stateFile::read(const IOobject& io)
 {
-    const fileName file(io.objectPath());
+    const fileName file(pathOf(io));
     const entryPlaces places(file);
     word key(places.oversized());
     dictionary dict;

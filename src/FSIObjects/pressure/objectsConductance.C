@@ -3,6 +3,7 @@
 #include "objectsConductance.H"
 #include "fetchAhead.H"
 #include "mathematicalConstants.H"
+#include "openfoamMesh.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -144,7 +145,7 @@ Foam::fsi::objectsConductance::conductance() const
     };
     swapCoupledCells(mesh, objects.object, objects.across);
 
-    auto tg = tmp<scalarField>::New(mesh.nFaces());
+    auto tg = newTmp<scalarField>(mesh.nFaces());
     scalarField& g = tg.ref();
     setInterior(objects, g);
     addWalls(objects, g);
@@ -180,7 +181,7 @@ void Foam::fsi::objectsConductance::add
         for (label i = 0; i < patch.size() && patch.coupled(); ++i)
         {
             const scalar g = sign*conductance[patch.start() + i];
-            matrix.boundaryCoeffs()[patchi][i] += g;
+            boundaryCoeffsOf(matrix)[patchi][i] += g;
             diagonal[patch.faceCells()[i]] += g;
         }
     }

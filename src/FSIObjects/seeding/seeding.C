@@ -5,6 +5,7 @@
 #include "dictionaryCheck.H"
 #include "nameCheck.H"
 #include "newShapeMesh.H"
+#include "openfoamVersion.H"
 #include "placement.H"
 #include "shapeCheck.H"
 
@@ -207,7 +208,7 @@ Foam::fsi::seeding::seeding
 )
 :
     domain_(domain),
-    objects_(time, domain.nDims, domain.bounds.centre().z())
+    objects_(time, domain.nDims, centreOf(domain.bounds).z())
 {
     checkKeys(dict, {"FoamFile", "shapes", "placements"});
     addShapes(dict.subDict("shapes"));

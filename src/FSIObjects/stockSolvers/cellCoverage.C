@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cellCoverage.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -210,7 +211,7 @@ void Foam::fsi::cellCoverage::update(const population& objects)
 Foam::tmp<Foam::scalarField> Foam::fsi::cellCoverage::fractions() const
 {
     const scalar perCell = pow(scalar(nSamples_), label(grid_.nDims()));
-    auto tfractions = tmp<scalarField>::New(count_);
+    auto tfractions = newTmp<scalarField>(count_);
     tfractions.ref() = min(tfractions()/perCell, scalar(1));
     return tfractions;
 }
@@ -222,7 +223,7 @@ Foam::tmp<Foam::vectorField> Foam::fsi::cellCoverage::interpolate
 ) const
 {
     const direction nDims = grid_.nDims();
-    auto tvalues = tmp<vectorField>::New(cells_.size(), Zero);
+    auto tvalues = newTmp<vectorField>(cells_.size(), Zero);
     vectorField& values = tvalues.ref();
     for (const coveredPart& part : parts_)
     {

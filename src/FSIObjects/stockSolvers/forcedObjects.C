@@ -1,33 +1,107 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "forcedObjects.H"
+#include "dictionaryCheck.H"
+#include "dimensionedScalar.H"
+#include "IOdictionary.H"
+#include "openfoamMesh.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Name of a field that an entry gives; fatal if there is no such field
+template<class Field>
+static word stockField
+(
+    const fvMesh& mesh,
+    const dictionary& dict,
+    const word& key
+)
+{
+    const word name(dict.lookupOrDefault<word>(key, key));
+    if (!mesh.foundObject<Field>(name))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name()
+            << " is " << name << " but the fields of this type are "
+            << flatOutput(namesIn<Field>(mesh)) << exit(FatalIOError);
+    }
+    return name;
+}
+
+
+//- The mesh; fatal if its objects belong to the solver or another model
+static const fvMesh& withoutObjects
+(
+    const fvMesh& mesh,
+    const dictionary& dict
+)
+{
+    if (mesh.foundObject<volScalarField>("signedDistance"))
+    {
+        FatalIOErrorInFunction(dict)
+            << dict.name() << " of type fsiObjects would move the objects"
+            << " twice: it is for solvers that know no objects, not for"
+            << " fsiPisoFoam or fsiFluid, and only one may be active"
+            << exit(FatalIOError);
+    }
+    return mesh;
+}
+
+
+//- Viscosity of the Newtonian fluid [m2/s]; 0 for other fluids (direct
+//  forcing does not need it)
+static scalar stockViscosity(const fvMesh& mesh)
+{
+    const dictionary& properties =
+        mesh.lookupObject<IOdictionary>(viscosityDictName());
+    return
+        properties.found("nu")
+      ? dimensionedScalar("nu", sqr(dimLength)/dimTime, properties).value()
+      : 0;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::forcedObjects::forcedObjects
 (
     const fvMesh& mesh,
-    const scalar viscosity
+    const dictionary& dict,
+    const wordList& keys
 )
 :
-    objects_(mesh, viscosity, directForcing::select),
+    mesh_(withoutObjects(mesh, dict)),
+    velocityName_(stockField<volVectorField>(mesh, dict, "U")),
+    pressureName_(stockField<volScalarField>(mesh, dict, "p")),
+    objects_(mesh, stockViscosity(mesh), directForcing::select),
     forcing_(refCast<directForcing>(objects_.coupling())),
     timeIndex_(mesh.time().timeIndex())
-{}
+{
+    wordList known(keys);
+    known.append("U");
+    known.append("p");
+    checkKeys(dict, known);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::forcedObjects::advance
-(
-    volVectorField& U,
-    volScalarField& p
-)
+void Foam::fsi::forcedObjects::advance()
 {
-    const Time& time = U.mesh().time();
+    const Time& time = mesh_.time();
     if (timeIndex_ != time.timeIndex())
     {
         timeIndex_ = time.timeIndex();
+        auto& U = mesh_.lookupObjectRef<volVectorField>(velocityName_);
+        auto& p = mesh_.lookupObjectRef<volScalarField>(pressureName_);
         forcing_.takeLoad(U.oldTime().primitiveField());
         objects_.startStep(p, U.oldTime());
         objects_.finishStep(p, U);
@@ -40,6 +114,18 @@ void Foam::fsi::forcedObjects::advance
 void Foam::fsi::forcedObjects::force(fvVectorMatrix& UEqn)
 {
     forcing_.force(UEqn);
+}
+
+
+Foam::scalar Foam::fsi::forcedObjects::maxDeltaT() const
+{
+    const scalar courantNo = objects_.courantNo();
+    const scalar maxCo = readPositive
+    (
+        mesh_.time().controlDict(), "maxCo", 0.5
+    );
+    return
+        courantNo > 0 ? maxCo*mesh_.time().deltaTValue()/courantNo : GREAT;
 }
 
 

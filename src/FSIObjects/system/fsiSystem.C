@@ -3,6 +3,7 @@
 #include "fsiSystem.H"
 #include "dictionaryCheck.H"
 #include "objectContact.H"
+#include "openfoamMesh.H"
 #include "readBetween.H"
 #include "stateChecks.H"
 
@@ -63,10 +64,10 @@ Foam::fsi::fsiSystem::fsiSystem
             << gravity << " but a mesh in x and y does not feel its part in z"
             << exit(FatalIOError);
     }
-    const word scheme(mesh.ddtScheme("ddt(U)"));
+    const word scheme(ddtSchemeOf(mesh, "ddt(U)"));
     if (scheme == "steadyState")
     {
-        FatalIOErrorInFunction(mesh.schemesDict())
+        FatalIOErrorInFunction(schemesOf(mesh))
             << "Entry 'ddt(U)' or 'default' of ddtSchemes is steadyState, but"
             << " objects move in time: take Euler or backward"
             << exit(FatalIOError);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
+#include "openfoamVersion.H"
 #include "sumOverRanks.H"
 #include "writtenDictionary.H"
 
@@ -120,7 +121,7 @@ void Foam::fsi::objectContact::setRanges()
         ranges[objecti] =
             !objects.movesFreely(objecti) ? contact_.range()
           : id >= nextObjectId_ ? 0
-          : shortRanges_.lookup(id, contact_.range());
+          : valueOr(shortRanges_, id, contact_.range());
     }
 }
 
@@ -264,11 +265,11 @@ void Foam::fsi::objectContact::write() const
     const Time& time = system_.grid.mesh().time();
     writeFile
     (
-        time, time.timeName(), "uniform", "fsiContact", IOstream::ASCII,
+        time, nameOf(time), "uniform", "fsiContact", IOstream::ASCII,
         [&](Ostream& os)
         {
-            os.writeEntry("nextObjectId", nextObjectId_);
-            os.writeEntry("ranges", shortRanges_);
+            putEntry(os, "nextObjectId", nextObjectId_);
+            putEntry(os, "ranges", shortRanges_);
         }
     );
 }

@@ -2,6 +2,7 @@
 
 #include "blockPartition.H"
 #include "latticeRanks.H"
+#include "openfoamVersion.H"
 #include "Pstream.H"
 #include "boundBox.H"
 #include <algorithm>
@@ -84,7 +85,7 @@ bool Foam::fsi::blockPartition::placeBoxes
         }
         rank_[box(position)] = ranki;
     }
-    return !rank_.found(-1);
+    return !isIn(rank_, label(-1));
 }
 
 
@@ -160,7 +161,7 @@ void Foam::fsi::blockPartition::makeBoxes
             cuts_[d][i] = even ? 2*((place + 1)/2) : place;
         }
     }
-    rank_ = identity(nRanks);
+    rank_ = identityList(nRanks);
 }
 
 
@@ -195,7 +196,7 @@ Foam::fsi::blockLayout Foam::fsi::blockPartition::layout
     const label rank
 ) const
 {
-    const label mine = rank_.find(rank);
+    const label mine = indexOf(rank_, rank);
     if (mine < 0)
     {
         return blockLayout();
@@ -251,7 +252,7 @@ Foam::fsi::blockPartition Foam::fsi::blockPartition::slabs
     blockPartition result(whole());
     const label nBoxes = min(nSlabs, n(d));
     result.pad_ = labelVector(0, 0, 0);
-    result.rank_ = identity(nBoxes);
+    result.rank_ = identityList(nBoxes);
     result.cuts_[d].setSize(nBoxes + 1);
     forAll(result.cuts_[d], i)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "boxRemap.H"
+#include "exchangeBytes.H"
 #include "Pstream.H"
 #include <algorithm>
 
@@ -88,7 +89,7 @@ void Foam::fsi::boxRemap::move
             next = std::copy(values + place, values + place + length, next);
         }
     );
-    UPstream::allToAll
+    exchangeBytes
     (
         reinterpret_cast<const char*>(sender.buffer.cdata()),
         sender.size, sender.offset,

@@ -3,6 +3,7 @@
 #include "cartesianLattice.H"
 #include "lduMesh.H"
 #include "latticeRanks.H"
+#include "openfoamMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,7 +20,7 @@ namespace fsi
 
 Foam::fsi::cartesianLattice::cartesianLattice(const polyMesh& mesh)
 :
-    MeshObject<polyMesh, GeometricMeshObject, cartesianLattice>(mesh),
+    keptWithMesh<cartesianLattice>(mesh),
     map_(mesh),
     partition_(map_),
     layout_(partition_.layout(rank())),

@@ -2,6 +2,7 @@
 
 #include "cartesianMap.H"
 #include "cyclicPolyPatch.H"
+#include "openfoamMesh.H"
 #include "processorCyclicPolyPatch.H"
 #include "SubField.H"
 
@@ -51,7 +52,7 @@ void Foam::fsi::cartesianMap::checkCyclic(const polyPatch& patch) const
 {
     const cyclicPolyPatch& cyclic = refCast<const cyclicPolyPatch>(patch);
     const labelUList& faceCells = patch.faceCells();
-    const labelUList& opposite = cyclic.neighbPatch().faceCells();
+    const labelUList& opposite = oppositeOf(cyclic).faceCells();
 
     forAll(faceCells, i)
     {
@@ -76,7 +77,7 @@ void Foam::fsi::cartesianMap::findPatchFaces(const polyPatch& patch)
     {
         refuse("patch " + patch.name() + " is of type " + patch.type());
     }
-    if (!refCast<const coupledPolyPatch>(patch).parallel())
+    if (rotates(refCast<const coupledPolyPatch>(patch)))
     {
         refuse("patch " + patch.name() + " rotates");
     }

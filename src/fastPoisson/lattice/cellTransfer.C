@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cellTransfer.H"
+#include "exchangeBytes.H"
 #include "latticeRanks.H"
 #include "Pstream.H"
 #include "DynamicList.H"
@@ -42,7 +43,7 @@ void Foam::fsi::cellTransfer::findRuns
 
 void Foam::fsi::cellTransfer::sendToBoxes() const
 {
-    UPstream::allToAll
+    exchangeBytes
     (
         reinterpret_cast<const char*>(sendBuffer_.cdata()),
         sendSize_, sendOffset_,
@@ -54,7 +55,7 @@ void Foam::fsi::cellTransfer::sendToBoxes() const
 
 void Foam::fsi::cellTransfer::sendToCells() const
 {
-    UPstream::allToAll
+    exchangeBytes
     (
         reinterpret_cast<const char*>(receiveBuffer_.cdata()),
         receiveSize_, receiveOffset_,

@@ -2,7 +2,7 @@
 
 #include "cartesianFFTPreconditioner.H"
 #include "cartesianSolverCache.H"
-#include "PrecisionAdaptor.H"
+#include "openfoamTypes.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

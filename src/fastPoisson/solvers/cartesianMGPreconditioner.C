@@ -2,7 +2,7 @@
 
 #include "cartesianMGPreconditioner.H"
 #include "cartesianSolverCache.H"
-#include "PrecisionAdaptor.H"
+#include "openfoamTypes.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

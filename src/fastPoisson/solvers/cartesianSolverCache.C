@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cartesianSolverCache.H"
+#include "openfoamMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -20,7 +21,7 @@ Foam::fsi::cartesianSolverCache::cartesianSolverCache
     const polyMesh& mesh
 )
 :
-    MeshObject<polyMesh, GeometricMeshObject, cartesianSolverCache>(mesh)
+    keptWithMesh<cartesianSolverCache>(mesh)
 {}
 
 

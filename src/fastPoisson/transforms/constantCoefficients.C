@@ -2,6 +2,7 @@
 
 #include "constantCoefficients.H"
 #include "latticeRanks.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Data  * * * * * * * * * * * * * * * * //
 
@@ -180,7 +181,7 @@ Foam::fsi::constantCoefficients::constantCoefficients
 
 bool Foam::fsi::constantCoefficients::singular() const
 {
-    return diagonal_ <= 0 && !fixed_.found(true);
+    return diagonal_ <= 0 && !isIn(fixed_, true);
 }
 
 

@@ -100,7 +100,7 @@ void Foam::fsi::spectralInverse::set
     const scalar constant
 )
 {
-    if (!slab_ || kinds != kinds_)
+    if (!slab_.valid() || kinds != kinds_)
     {
         makePlans(kinds);
     }

@@ -5,6 +5,7 @@
 #include "groupEntries.H"
 #include "matrixEntry.H"
 #include "membraneBodies.H"
+#include "openfoamVersion.H"
 #include "prescribedBodies.H"
 #include "rigidBodies.H"
 
@@ -135,8 +136,8 @@ void Foam::fsi::bodyGroup::write(Ostream& os) const
 {
     const int oldPrecision = os.precision(17);
 
-    os.writeEntry("shape", shape_.name());
-    objectIds_.writeEntry("objectIds", os);
+    putEntry(os, "shape", shape_.name());
+    putList(os, "objectIds", objectIds_);
     writeMatrix(os, "positions", positions_);
     writeMatrix(os, "velocities", velocities_);
     writeState(os);

@@ -16,7 +16,7 @@ Foam::scalar Foam::fsi::deformableBodies::springLength
     scalar squares = 0;
     for (label i = 0; i < shape().nDims(); ++i)
     {
-        squares += sqr(x(ends.second(), i) - x(ends.first(), i));
+        squares += sqr(x(ends[1], i) - x(ends[0], i));
     }
     return std::sqrt(squares);
 }
@@ -59,9 +59,9 @@ Foam::scalar Foam::fsi::deformableBodies::addSprings
             for (label i = 0; i < nDims; ++i)
             {
                 const scalar part =
-                    pull*(x(ends.second(), i) - x(ends.first(), i));
-                f(ends.first(), i) += part;
-                f(ends.second(), i) -= part;
+                    pull*(x(ends[1], i) - x(ends[0], i));
+                f(ends[0], i) += part;
+                f(ends[1], i) -= part;
             }
         }
     }

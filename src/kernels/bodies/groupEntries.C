@@ -4,9 +4,10 @@
 #include "labelField.H"
 #include "dictionaryCheck.H"
 #include "errorOf.H"
-#include "FlatOutput.H"
+#include "openfoamTypes.H"
 #include "HashSet.H"
 #include "ListOps.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -24,7 +25,7 @@ Foam::labelList Foam::fsi::readGroupIds
             "velocities", "meanLoad", "linkLoad", "springStates", "triangles"
         }
     );
-    const word name(dict.get<word>("shape"));
+    const word name(getEntry<word>(dict, "shape"));
     if (name != shapeName)
     {
         FatalIOErrorInFunction(dict)

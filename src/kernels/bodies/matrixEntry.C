@@ -2,6 +2,7 @@
 
 #include "matrixEntry.H"
 #include "errorOf.H"
+#include "openfoamVersion.H"
 
 #include <algorithm>
 
@@ -17,7 +18,7 @@ void Foam::fsi::writeMatrix
     List<scalar> values(matrix.size());
     std::copy_n(matrix.data(), values.size(), values.begin());
     // With its type, so that a dictionary can read it from a binary stream
-    values.writeEntry(key, os);
+    putList(os, key, values);
 }
 
 

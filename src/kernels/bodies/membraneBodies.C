@@ -3,6 +3,7 @@
 #include "membraneBodies.H"
 #include "errorOf.H"
 #include "innerFlow.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -29,7 +30,7 @@ static void writeTriangles
             }
         }
     }
-    labelList(std::move(labels)).writeEntry("triangles", os);
+    putList(os, "triangles", labelList(std::move(labels)));
 }
 
 

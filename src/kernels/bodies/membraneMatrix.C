@@ -18,8 +18,8 @@ void Foam::fsi::membraneMatrix::addStretching
         const edge& ends = shape_.springs()[springi];
         const scalar d[2] =
         {
-            x(ends.second(), 0) - x(ends.first(), 0),
-            x(ends.second(), 1) - x(ends.first(), 1)
+            x(ends[1], 0) - x(ends[0], 0),
+            x(ends[1], 1) - x(ends[0], 1)
         };
         const scalar square = d[0]*d[0] + d[1]*d[1];
         const scalar k = sqr(dt)*shape_.springConstants()[springi];
@@ -35,7 +35,7 @@ void Foam::fsi::membraneMatrix::addStretching
             {
                 const scalar value =
                     (k - across)*d[i]*d[j]/square + (i == j ? across : 0);
-                const label a = ends.first(), b = ends.second();
+                const label a = ends[0], b = ends[1];
                 entries_.emplace_back(a + n*i, a + n*j, value);
                 entries_.emplace_back(b + n*i, b + n*j, value);
                 entries_.emplace_back(a + n*i, b + n*j, -value);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "dictionaryCheck.H"
-#include "FlatOutput.H"
+#include "openfoamTypes.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -42,7 +43,7 @@ void Foam::fsi::checkKeys(const dictionary& dict, const wordList& known)
 {
     for (const entry& e : dict)
     {
-        if (!e.keyword().isPattern() && !known.found(e.keyword()))
+        if (!e.keyword().isPattern() && !isIn(known, e.keyword()))
         {
             FatalIOErrorInFunction(dict)
                 << "Unknown entry '" << e.keyword() << "' in dictionary "
@@ -83,7 +84,7 @@ Foam::scalar Foam::fsi::readPositive
 
 Foam::scalar Foam::fsi::readPositive(const dictionary& dict, const word& key)
 {
-    const scalar value = dict.get<scalar>(key);
+    const scalar value = getEntry<scalar>(dict, key);
     return checked(dict, key, value, value > 0 && value < GREAT, "> 0");
 }
 
@@ -128,7 +129,7 @@ Foam::word Foam::fsi::readChoice
 )
 {
     const word value(dict.lookupOrDefault<word>(key, defaultValue));
-    if (!choices.found(value))
+    if (!isIn(choices, value))
     {
         FatalIOErrorInFunction(dict)
             << "Unknown choice '" << value << "' of entry '" << key

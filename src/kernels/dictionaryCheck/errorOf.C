@@ -4,12 +4,37 @@
 
 #include <cmath>
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+int Foam::fsi::thrownErrors::depth_ = 0;
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::thrownErrors::thrownErrors()
+{
+    ++depth_;
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+}
+
+
+Foam::fsi::thrownErrors::~thrownErrors()
+{
+    --depth_;
+    if (depth_ == 0)
+    {
+        FatalError.dontThrowExceptions();
+        FatalIOError.dontThrowExceptions();
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::fsi::caughtError Foam::fsi::errorOf(const std::function<void()>& code)
 {
-    const bool oldThrows = FatalError.throwExceptions();
-    const bool oldThrowsIO = FatalIOError.throwExceptions();
+    const thrownErrors thrown;
     caughtError caught;
     try
     {
@@ -28,8 +53,6 @@ Foam::fsi::caughtError Foam::fsi::errorOf(const std::function<void()>& code)
     {
         caught.message = error.what();
     }
-    FatalError.throwExceptions(oldThrows);
-    FatalIOError.throwExceptions(oldThrowsIO);
     return caught;
 }
 

@@ -2,6 +2,7 @@
 
 #include "readBetween.H"
 #include "errorOf.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -76,7 +77,7 @@ Foam::vector Foam::fsi::readFinite
 
 Foam::vector Foam::fsi::readFinite(const dictionary& dict, const word& key)
 {
-    const vector value(dict.get<vector>(key));
+    const vector value(getEntry<vector>(dict, key));
     checkValues(dict, key, UList<scalar>(const_cast<scalar*>(value.v_), 3));
     return value;
 }

@@ -2,6 +2,7 @@
 
 #include "admmSolver.H"
 #include "angularMomentum.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -112,9 +113,9 @@ void Foam::fsi::admmSolver::solve
     nIterations_ = 0;
     lastChange_ = 0;
 
-    for (label copyi = copies.start(); copyi <= copies.last();)
+    for (label copyi = firstOf(copies); copyi <= lastOf(copies);)
     {
-        const label left = copies.last() + 1 - copyi;
+        const label left = lastOf(copies) + 1 - copyi;
         const label lanes = left >= 8 ? 8 : left >= 4 ? 4 : left >= 2 ? 2 : 1;
         switch (lanes)
         {

@@ -224,8 +224,8 @@ void Foam::fsi::elementForces::setFactor(const admmFactor& factor)
 {
     const volumeTerm& term = shape_.elementTerm();
     const labelList& rowOf = factor.rowOf();
-    volumeRows_ = labelUIndList(rowOf, term.volumeDomains().nodes())();
-    shearRows_ = labelUIndList(rowOf, term.shearDomains().nodes())();
+    volumeRows_ = UIndirectList<label>(rowOf, term.volumeDomains().nodes())();
+    shearRows_ = UIndirectList<label>(rowOf, term.shearDomains().nodes())();
 
     const scalar dt = factor.deltaT();
     volumeWeights_ =

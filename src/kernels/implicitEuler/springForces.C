@@ -153,8 +153,8 @@ void Foam::fsi::springForces::setFactor(const admmFactor& factor)
     forAll(shape_.springs(), springi)
     {
         const edge& ends = shape_.springs()[springi];
-        rows_[2*springi] = rowOf[ends.first()];
-        rows_[2*springi + 1] = rowOf[ends.second()];
+        rows_[2*springi] = rowOf[ends[0]];
+        rows_[2*springi + 1] = rowOf[ends[1]];
     }
 
     const scalar dt = factor.deltaT();

@@ -2,6 +2,7 @@
 
 #include "medialAxisSearch.H"
 #include "addToRunTimeSelectionTable.H"
+#include "openfoamVersion.H"
 
 #include <algorithm>
 #include <nanoflann.hpp>
@@ -190,7 +191,7 @@ void Foam::fsi::medialAxisSearch::find
             {
                 const label nodei = involved_[hit.first];
                 const label side =
-                    p.object.find(surfaces.pointObject()[nodei]);
+                    indexOf(p.object, surfaces.pointObject()[nodei]);
                 if (side >= 0)
                 {
                     near_[side].append(nodei);

@@ -2,6 +2,7 @@
 
 #include "patchTest.H"
 #include "ListOps.H"
+#include "openfoamVersion.H"
 #include "rigidSupport.H"
 
 #include <Eigen/SparseCholesky>
@@ -55,8 +56,8 @@ static matrixEntries linearStiffness
 
     forAll(springs, springi)
     {
-        const label a = springs[springi].first();
-        const label b = springs[springi].second();
+        const label a = springs[springi][0];
+        const label b = springs[springi][1];
         vector n = mesh.points[b] - mesh.points[a];
         n /= mag(n);
 
@@ -115,7 +116,7 @@ static Eigen::SparseMatrix<double> supported
     scalar largest = 0;
     for (const auto& entry : entries)
     {
-        if (!held.found(entry.row()) && !held.found(entry.col()))
+        if (!isIn(held, entry.row()) && !isIn(held, entry.col()))
         {
             kept.push_back(entry);
             largest = max(largest, entry.value());
@@ -198,7 +199,7 @@ std::vector<Eigen::MatrixXd> Foam::fsi::patchTest::compliances
 {
     Eigen::MatrixXd loads
     (
-        boundarySums(mesh, identity(mesh.elements.size()), thickness)
+        boundarySums(mesh, identityList(mesh.elements.size()), thickness)
     );
     for (const label unknown : rigidSupport(mesh))
     {

@@ -2,6 +2,7 @@
 
 #include "rigidSupport.H"
 #include "ListOps.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -51,7 +52,7 @@ Foam::labelList Foam::fsi::rigidSupport(const shapeMesh& mesh)
     const label far = farthest(mesh.points, Zero);
     const vector d = mesh.points[far] - mesh.points[0];
 
-    labelList unknowns(identity(nDims));
+    labelList unknowns(identityList(nDims));
     for (label i = 0; i < nDims; ++i)
     {
         if (i != largestComponent(d))

@@ -4,6 +4,7 @@
 #include "EdgeMap.H"
 #include "ListOps.H"
 #include "mathematicalConstants.H"
+#include "openfoamVersion.H"
 #include "patchTest.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -42,7 +43,7 @@ static labelListList regions
     }
     if (volume <= 0.05*sum(volumes))
     {
-        result = labelListList(1, identity(volumes.size()));
+        result = labelListList(1, identityList(volumes.size()));
     }
     return result;
 }
@@ -157,7 +158,7 @@ static void calibrateSpatial
     scalarField& constants
 )
 {
-    const labelListList whole(1, identity(mesh.elements.size()));
+    const labelListList whole(1, identityList(mesh.elements.size()));
     for (label iteration = 0; iteration < nIterations; ++iteration)
     {
         const Eigen::MatrixXd S = patchTest::compliances

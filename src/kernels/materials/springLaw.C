@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "openfoamVersion.H"
 #include "springLaw.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -22,10 +23,10 @@ Foam::autoPtr<Foam::fsi::springLaw> Foam::fsi::springLaw::New
     const scalar youngsModulus
 )
 {
-    const word lawType(dict.get<word>("type"));
+    const word lawType(getEntry<word>(dict, "type"));
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(lawType);
-    if (!cstrIter.found())
+    const auto* constructor = findIn(*dictionaryConstructorTablePtr_, lawType);
+    if (!constructor)
     {
         FatalIOErrorInFunction(dict)
             << "Unknown entry 'type' " << lawType << " in dictionary "
@@ -33,7 +34,7 @@ Foam::autoPtr<Foam::fsi::springLaw> Foam::fsi::springLaw::New
             << dictionaryConstructorTablePtr_->sortedToc()
             << exit(FatalIOError);
     }
-    return cstrIter()(dict, youngsModulus);
+    return (*constructor)(dict, youngsModulus);
 }
 
 

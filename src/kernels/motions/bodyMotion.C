@@ -2,6 +2,7 @@
 
 #include "bodyMotion.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -26,11 +27,12 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
     if (motionType == "free")
     {
         checkKeys(dict, {"type"});
-        return nullptr;
+        return autoPtr<bodyMotion>();
     }
 
-    auto cstrIter = dictionaryConstructorTablePtr_->cfind(motionType);
-    if (!cstrIter.found())
+    const auto* constructor =
+        findIn(*dictionaryConstructorTablePtr_, motionType);
+    if (!constructor)
     {
         wordList valid(dictionaryConstructorTablePtr_->sortedToc());
         valid.append("free");
@@ -39,7 +41,7 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
             << dict.name() << nl << "Valid motions are " << valid
             << exit(FatalIOError);
     }
-    return cstrIter()(dict);
+    return (*constructor)(dict);
 }
 
 

@@ -3,6 +3,7 @@
 #include "ellipse.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -20,7 +21,7 @@ namespace fsi
 
 Foam::fsi::ellipse::ellipse(const dictionary& dict)
 :
-    semiAxes_(dict.get<vector2D>("semiAxes"))
+    semiAxes_(getEntry<vector2D>(dict, "semiAxes"))
 {
     checkKeys(dict, {"type", "semiAxes"});
     if (!(semiAxes_.x() > 0 && semiAxes_.y() > 0))

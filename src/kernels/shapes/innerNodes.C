@@ -3,6 +3,7 @@
 #include "innerNodes.H"
 #include "boundBox.H"
 #include "ListOps.H"
+#include "openfoamVersion.H"
 #include "outlineTools.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -98,12 +99,12 @@ bool Foam::fsi::innerNodes::near(const point& p, const scalar distance) const
     {
         for (label j = -reach; j <= reach; ++j)
         {
-            const auto found = squares_.cfind(square(p, i, j));
-            if (!found.found())
+            const auto* found = findIn(squares_, square(p, i, j));
+            if (!found)
             {
                 continue;
             }
-            for (const label pointi : found.val())
+            for (const label pointi : *found)
             {
                 if (magSqr(points_[pointi] - p) < sqr(distance))
                 {
@@ -138,7 +139,7 @@ void Foam::fsi::innerNodes::appendDeep
                 depths
             )
         );
-        for (const label i : sortedOrder(depths))
+        for (const label i : orderOf(depths))
         {
             const scalar size = grading_.size(depths[i]/spacing_);
             if (!near(candidates[i], leastDistance*size*spacing_))

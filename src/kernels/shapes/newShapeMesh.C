@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "newShapeMesh.H"
+#include "openfoamVersion.H"
 #include "shape.H"
 #include "surfaceTools.H"
 
@@ -22,7 +23,8 @@ static void failMesh
 )
 {
     FatalIOErrorInFunction(dict)
-        << "Entry 'type' " << dict.get<word>("type") << " in dictionary "
+        << "Entry 'type' " << getEntry<word>(dict, "type")
+            << " in dictionary "
         << dict.name() << ": the shape cannot be meshed with nodes "
         << nodeSpacing << " m apart: " << reason << nl
         << "Take nodes that are nearer to each other"
@@ -43,8 +45,9 @@ static void checkSize
     if (nodes > 1e7 || cmptMax(cells) > 5000)
     {
         FatalIOErrorInFunction(dict)
-            << "Entry 'type' " << dict.get<word>("type") << " in dictionary "
-            << dict.name() << ": the shape is " << body.bounds().span()
+            << "Entry 'type' " << getEntry<word>(dict, "type")
+            << " in dictionary " << dict.name() << ": the shape is "
+            << body.bounds().span()
             << " m large, " << cells << " times the distance of nodes, "
             << nodeSpacing << " m" << nl
             << "Lengths are in metres: is it in another unit, as millimetres"

@@ -166,7 +166,7 @@ Foam::pointField Foam::fsi::polygon::read(const dictionary& dict)
 
     pointField points
     (
-        file.hasExt("csv") ? readCsv(dict, file) : readList(dict, file)
+        file.ext() == "csv" ? readCsv(dict, file) : readList(dict, file)
     );
     withoutRepeats(points);
     if (points.size() < 3 || !polygonPredicates::isSimple(points))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "openfoamVersion.H"
 #include "shape.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -23,7 +24,7 @@ Foam::autoPtr<Foam::fsi::shape> Foam::fsi::shape::New
     const direction nDims
 )
 {
-    const word shapeType(dict.get<word>("type"));
+    const word shapeType(getEntry<word>(dict, "type"));
 
     // The two tables have the same type
     const auto& valid =
@@ -31,8 +32,8 @@ Foam::autoPtr<Foam::fsi::shape> Foam::fsi::shape::New
     const auto& other =
         nDims == 2 ? *solidConstructorTablePtr_ : *planarConstructorTablePtr_;
 
-    const auto found = valid.cfind(shapeType);
-    if (!found.found())
+    const auto* constructor = findIn(valid, shapeType);
+    if (!constructor)
     {
         FatalIOErrorInFunction(dict)
             << (other.found(shapeType) ? "Entry 'type' " : "Unknown 'type' ")
@@ -47,7 +48,7 @@ Foam::autoPtr<Foam::fsi::shape> Foam::fsi::shape::New
             << nl << "Valid shapes in " << label(nDims) << " dimensions are "
             << valid.sortedToc() << exit(FatalIOError);
     }
-    return found()(dict);
+    return (*constructor)(dict);
 }
 
 

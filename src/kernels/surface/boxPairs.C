@@ -4,6 +4,7 @@
 #include "DynamicList.H"
 #include "ListOps.H"
 #include "labelVector.H"
+#include "openfoamVersion.H"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ static vectorField homeShifts
             if (period[d] > 0)
             {
                 shifts[i][d] =
-                    -period[d]*std::floor(boxes[i].centre()[d]/period[d]);
+                    -period[d]*std::floor(centreOf(boxes[i])[d]/period[d]);
             }
         }
     }
@@ -86,7 +87,7 @@ static DynamicList<movedBox> imagesOf
     labelVector n(0, 0, 0);
     forAll(boxes, i)
     {
-        all.add(moved(boxes[i], homes[i]));
+        extend(all, moved(boxes[i], homes[i]));
         for (direction d = 0; d < nDims; ++d)
         {
             if (period[d] > 0)

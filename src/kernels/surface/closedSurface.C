@@ -2,7 +2,7 @@
 
 #include "closedSurface.H"
 #include "DynamicList.H"
-#include "ListOps.H"
+#include "openfoamVersion.H"
 #include "simplexDistance.H"
 #include "surfaceWinding.H"
 
@@ -52,7 +52,7 @@ Foam::boundBox Foam::fsi::closedSurface::faceBox(const label facei) const
     );
     if (f[2] >= 0)
     {
-        box.add(points_[f[2]]);
+        extend(box, points_[f[2]]);
     }
     return box;
 }
@@ -73,7 +73,7 @@ void Foam::fsi::closedSurface::keepNear
         if (near(own, box, gap, nDims_))
         {
             faces[n++] = facei;
-            found.add(own);
+            extend(found, own);
         }
     }
     faces.resize(n);
@@ -89,8 +89,8 @@ Foam::scalar Foam::fsi::closedSurface::leastDistanceSqr
 ) const
 {
     // Only faces in the part that both share can be near
-    labelList mine(identity(faces_->size()));
-    labelList others(identity(other.faces_->size()));
+    labelList mine(identityList(faces_->size()));
+    labelList others(identityList(other.faces_->size()));
     boundBox box(other.centroid_, other.centroid_);
     keepNear(mine, box, (1 + 1e-9)*(limit + other.outerRadius_));
     other.keepNear(others, box, limit);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "openfoamVersion.H"
 #include "periodicImages.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -150,7 +151,7 @@ const Foam::fsi::surfaceSet& Foam::fsi::periodicImages::update
     {
         bounds[objecti] = surfaces.bounds(objecti);
         check(objecti, surfaces.fixed(objecti), bounds[objecti], distance);
-        box.add(bounds[objecti]);
+        extend(box, bounds[objecti]);
     }
     box = boundBox(box.min() - margin, box.max() + margin);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "admmControls.H"
+#include "openfoamVersion.H"
 #include "readBetween.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -52,18 +53,19 @@ Foam::fsi::admmControls::admmControls
 
 void Foam::fsi::admmControls::write(Ostream& os) const
 {
-    os.beginBlock("admm");
-    os.writeEntry("scheme", word(quasiNewton ? "quasiNewton" : "ADMM"));
-    os.writeEntry("iterations", iterations);
-    os.writeEntry("tolerance", tolerance);
-    os.writeEntry("springWeight", springWeight);
-    os.writeEntry("areaWeight", areaWeight);
-    os.writeEntry
+    beginDict(os, "admm");
+    putEntry(os, "scheme", word(quasiNewton ? "quasiNewton" : "ADMM"));
+    putEntry(os, "iterations", iterations);
+    putEntry(os, "tolerance", tolerance);
+    putEntry(os, "springWeight", springWeight);
+    putEntry(os, "areaWeight", areaWeight);
+    putEntry
     (
+        os,
         "rotation",
         word(conserving ? "conserving" : "implicitEuler")
     );
-    os.endBlock();
+    endDict(os);
 }
 
 

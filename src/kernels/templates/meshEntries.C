@@ -2,6 +2,7 @@
 
 #include "meshEntries.H"
 #include "errorOf.H"
+#include "openfoamVersion.H"
 
 #include <set>
 
@@ -173,7 +174,7 @@ Foam::fsi::shapeMesh Foam::fsi::readMesh(const dictionary& dict)
 {
     shapeMesh mesh;
     mesh.points = readEntry<pointField>(dict, "points");
-    mesh.nBoundary = dict.get<label>("nBoundaryNodes");
+    mesh.nBoundary = getEntry<label>(dict, "nBoundaryNodes");
     mesh.faces = unflatten<surfaceFace>(dict, "faces");
     mesh.elements = unflatten<bodyElement>(dict, "elements");
     check(dict, mesh);
@@ -183,10 +184,10 @@ Foam::fsi::shapeMesh Foam::fsi::readMesh(const dictionary& dict)
 
 void Foam::fsi::writeMesh(Ostream& os, const shapeMesh& mesh)
 {
-    os.writeEntry("nBoundaryNodes", mesh.nBoundary);
-    mesh.points.UList<point>::writeEntry("points", os);
-    flatten(mesh.faces).writeEntry("faces", os);
-    flatten(mesh.elements).writeEntry("elements", os);
+    putEntry(os, "nBoundaryNodes", mesh.nBoundary);
+    putList(os, "points", mesh.points);
+    putList(os, "faces", flatten(mesh.faces));
+    putList(os, "elements", flatten(mesh.elements));
 }
 
 

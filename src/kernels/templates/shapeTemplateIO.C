@@ -3,6 +3,7 @@
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
 #include "meshEntries.H"
+#include "openfoamVersion.H"
 #include "writtenShape.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -11,18 +12,18 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
 {
     const int oldPrecision = os.precision(17);
 
-    os.writeEntry("name", name_);
-    os.writeEntry("nDims", label(nDims_));
-    os.writeEntry("thickness", thickness_);
-    os.writeEntry("nodeSpacing", nodeSpacing_);
-    materialDict_.writeEntry("material", os);
+    putEntry(os, "name", name_);
+    putEntry(os, "nDims", label(nDims_));
+    putEntry(os, "thickness", thickness_);
+    putEntry(os, "nodeSpacing", nodeSpacing_);
+    putDict(os, "material", materialDict_);
     if (!membrane_.valid() && !rigid_)
     {
         admm_.write(os);
     }
     writeMesh(os, mesh_);
-    springConstants_.UList<scalar>::writeEntry("springConstants", os);
-    nodeMasses_.UList<scalar>::writeEntry("nodeMasses", os);
+    putList(os, "springConstants", springConstants_);
+    putList(os, "nodeMasses", nodeMasses_);
 
     os.precision(oldPrecision);
 }
@@ -34,12 +35,12 @@ Foam::fsi::shapeTemplate::shapeTemplate(const dictionary& written)
 :
     shapeTemplate
     (
-        writtenShape::checked(written).get<word>("name"),
+        getEntry<word>(writtenShape::checked(written), "name"),
         written,
         readMesh(written),
         readPositive(written, "nodeSpacing"),
         readPositive(written, "thickness"),
-        direction(written.get<label>("nDims")),
+        direction(getEntry<label>(written, "nDims")),
         false
     )
 {

@@ -34,8 +34,8 @@ Foam::scalarField Foam::fsi::springNetwork::lengths
     forAll(springs, springi)
     {
         const vector d =
-            mesh.points[springs[springi].second()]
-          - mesh.points[springs[springi].first()];
+            mesh.points[springs[springi][1]]
+          - mesh.points[springs[springi][0]];
         scalar squares = 0;
         for (label i = 0; i < nDims; ++i)
         {

@@ -28,8 +28,8 @@ static void addNodesAndSprings
     const scalarField weights(sqr(dt)*shape.springWeights(dt));
     forAll(shape.springs(), springi)
     {
-        const label a = shape.springs()[springi].first();
-        const label b = shape.springs()[springi].second();
+        const label a = shape.springs()[springi][0];
+        const label b = shape.springs()[springi][1];
         entries.emplace_back(a, a, weights[springi]);
         entries.emplace_back(b, b, weights[springi]);
         entries.emplace_back(a, b, -weights[springi]);

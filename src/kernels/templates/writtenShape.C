@@ -3,6 +3,7 @@
 #include "writtenShape.H"
 #include "dictionaryCheck.H"
 #include "errorOf.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -51,7 +52,7 @@ const Foam::dictionary& Foam::fsi::writtenShape::checked
         }
     );
     checkSubDicts(dict, {"material", "admm"});
-    const label nDims = dict.get<label>("nDims");
+    const label nDims = getEntry<label>(dict, "nDims");
     if (nDims != 2 && nDims != 3)
     {
         FatalIOErrorInFunction(dict)

@@ -20,6 +20,7 @@ Usage
 
 #include "poissonTables.H"
 #include "argList.H"
+#include "openfoamVersion.H"
 #include <algorithm>
 #include <cstdio>
 
@@ -158,8 +159,8 @@ int main(int argc, char* argv[])
     solverPerformance::debug = 0;
 
     const word table(args[1]);
-    const label n = args.get<label>(2);
-    const label repeats = args.get<label>(3);
+    const label n = getEntry<label>(args, 2);
+    const label repeats = getEntry<label>(args, 3);
     wanted = args.lookupOrDefault<string>("solver", "");
     const bool passed =
         table == "patches2D" ? fsi::patchTable(2, n, repeats)

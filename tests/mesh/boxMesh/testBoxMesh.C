@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "boxMesh.H"
+#include "openfoamVersion.H"
 #include "volFields.H"
 #include "surfaceFields.H"
 #include "fvcDiv.H"
@@ -20,9 +21,9 @@ namespace
 //- A field cos(2 pi x/length) on a box, with the patches' natural conditions
 tmp<volScalarField> wave(const fvMesh& mesh, const scalar length)
 {
-    auto field = tmp<volScalarField>::New
+    auto field = fsi::newTmp<volScalarField>
     (
-        IOobject("wave", mesh.time().timeName(), mesh),
+        IOobject("wave", fsi::nameOf(mesh.time()), mesh),
         mesh,
         dimensionedScalar(dimless, Zero),
         "zeroGradient"

@@ -9,6 +9,7 @@
 
 #include "discSurfaces.H"
 #include "faceVelocities.H"
+#include "openfoamVersion.H"
 #include "sphereSurfaces.H"
 #include "surfacesInBox.H"
 #include "wallOperator.H"
@@ -103,7 +104,7 @@ scalar largestSource
     const fvMesh& mesh = body.mesh();
     volVectorField U
     (
-        IOobject("U", mesh.time().timeName(), mesh),
+        IOobject("U", nameOf(mesh.time()), mesh),
         mesh,
         dimensionedVector(dimVelocity, Zero)
     );

@@ -5,6 +5,7 @@
 #include "discsInBox.H"
 #include "filmPressure.H"
 #include "immersedFluid.H"
+#include "openfoamVersion.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -31,7 +32,7 @@ public:
         discsInBox(split),
         p
         (
-            IOobject("p", mesh().time().timeName(), mesh()),
+            IOobject("p", nameOf(mesh().time()), mesh()),
             mesh(),
             dimensionedScalar(dimless, Zero)
         )
@@ -126,7 +127,7 @@ TEST(FilmPressure, wallsHoldTheFluid)
         pair.p.correctBoundaryConditions();
         volVectorField U
         (
-            IOobject("U", pair.mesh().time().timeName(), pair.mesh()),
+            IOobject("U", nameOf(pair.mesh().time()), pair.mesh()),
             pair.mesh(),
             dimensionedVector(dimless, Zero)
         );

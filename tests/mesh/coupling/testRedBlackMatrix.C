@@ -4,6 +4,7 @@
 
 #include "boxMesh.H"
 #include "cartesianMesh.H"
+#include "openfoamVersion.H"
 #include "redBlackMatrix.H"
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
@@ -20,7 +21,7 @@ volVectorField velocity(const fvMesh& mesh)
 {
     volVectorField U
     (
-        IOobject("U", mesh.time().timeName(), mesh),
+        IOobject("U", nameOf(mesh.time()), mesh),
         mesh,
         dimensionedVector("U", dimVelocity, vector(1, 2, 0)),
         "fixedValue"
@@ -52,7 +53,7 @@ tmp<fvVectorMatrix> momentum(volVectorField& U, const vectorField& source)
     const fvMesh& mesh = U.mesh();
     surfaceScalarField nu
     (
-        IOobject("nu", mesh.time().timeName(), mesh),
+        IOobject("nu", nameOf(mesh.time()), mesh),
         mesh,
         dimensionedScalar("nu", dimViscosity, 1.3)
     );
@@ -159,7 +160,7 @@ TEST(redBlackMatrix, firstSweepStartsFromZero)
     volVectorField U(velocity(box.mesh()));
     volVectorField rest
     (
-        IOobject("rest", box.mesh().time().timeName(), box.mesh()),
+        IOobject("rest", nameOf(box.mesh().time()), box.mesh()),
         box.mesh(),
         dimensionedVector(dimVelocity, Zero),
         "fixedValue"

@@ -7,7 +7,7 @@
 
 #include "discSurfaces.H"
 #include "mathematicalConstants.H"
-#include "Random.H"
+#include "randomNumbers.H"
 #include "shortWaves.H"
 #include "sphereSurfaces.H"
 #include "surfacesInBox.H"
@@ -77,7 +77,7 @@ public:
     //- The wave that the friction resists most
     vectorField shortest() const
     {
-        Random random(5);
+        randomNumbers random(5);
         vectorField v(surfaces().points().size());
         for (vector& vi : v)
         {

@@ -7,6 +7,7 @@
 
 #include "discsInBox.H"
 #include "immersedFluid.H"
+#include "openfoamMesh.H"
 #include "zeroGradientFvPatchFields.H"
 
 using namespace Foam;
@@ -45,7 +46,7 @@ GeometricField<Type, fvPatchField, volMesh> someField(const fvMesh& mesh)
 {
     GeometricField<Type, fvPatchField, volMesh> field
     (
-        IOobject("some", mesh.time().timeName(), mesh),
+        IOobject("some", nameOf(mesh.time()), mesh),
         mesh,
         dimensioned<Type>(dimless, Zero),
         zeroGradientFvPatchField<Type>::typeName
@@ -69,10 +70,10 @@ void expectEqual(const fvVectorMatrix& a, const fvVectorMatrix& b)
     EXPECT_EQ(a.upper(), b.upper());
     EXPECT_EQ(a.lower(), b.lower());
     EXPECT_EQ(a.source(), b.source());
-    forAll(a.internalCoeffs(), patchi)
+    forAll(internalCoeffsOf(a), patchi)
     {
-        EXPECT_EQ(a.internalCoeffs()[patchi], b.internalCoeffs()[patchi]);
-        EXPECT_EQ(a.boundaryCoeffs()[patchi], b.boundaryCoeffs()[patchi]);
+        EXPECT_EQ(internalCoeffsOf(a)[patchi], internalCoeffsOf(b)[patchi]);
+        EXPECT_EQ(boundaryCoeffsOf(a)[patchi], boundaryCoeffsOf(b)[patchi]);
     }
 }
 
@@ -122,10 +123,10 @@ TEST(solidCells, leaveTheMomentumEquationAsBySetValues)
         setSome(equation.upper(), 3);
         setSome(equation.lower(), 4);
         setSome(equation.source(), 5);
-        forAll(equation.internalCoeffs(), patchi)
+        forAll(internalCoeffsOf(equation), patchi)
         {
-            setSome(equation.internalCoeffs()[patchi], 6);
-            setSome(equation.boundaryCoeffs()[patchi], 7);
+            setSome(internalCoeffsOf(equation)[patchi], 6);
+            setSome(boundaryCoeffsOf(equation)[patchi], 7);
         }
         fvVectorMatrix plain(equation);
         DynamicList<label> solid;

@@ -7,6 +7,7 @@
 
 #include "immersedFluid.H"
 #include "linkOperator.H"
+#include "openfoamVersion.H"
 #include "twoBodies.H"
 #include "wallOperator.H"
 
@@ -213,7 +214,7 @@ TEST(immersedFluid, gradientOfALinearPressure)
         const fvMesh& mesh = bodies.mesh();
         volScalarField p
         (
-            IOobject("p", mesh.time().timeName(), mesh),
+            IOobject("p", nameOf(mesh.time()), mesh),
             mesh,
             dimensionedScalar(dimless, Zero),
             "zeroGradient"

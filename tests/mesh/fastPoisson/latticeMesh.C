@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "latticeMesh.H"
+#include "openfoamCase.H"
+#include "openfoamVersion.H"
 #include <algorithm>
 #include <random>
 
@@ -72,16 +74,12 @@ void Foam::fsi::latticeMesh::makeTime()
     controls.add("runTimeModifiable", word("no"));
 
     word caseName("fastPoissonTests");
-    time_.reset
+    time_ = newTime
     (
-        new Time
-        (
-            controls, fileName("/tmp"),
-            Pstream::parRun()
-          ? fileName(caseName/("processor" + name(Pstream::myProcNo())))
-          : fileName(caseName),
-            "system", "constant", false, false
-        )
+        controls, fileName("/tmp"),
+        Pstream::parRun()
+      ? fileName(caseName/("processor" + name(Pstream::myProcNo())))
+      : fileName(caseName)
     );
 }
 
@@ -150,7 +148,7 @@ void Foam::fsi::latticeMesh::makeMesh()
         (
             IOobject
             (
-                polyMesh::defaultRegion, time_().timeName(), time_(),
+                polyMesh::defaultRegion, nameOf(time_()), time_(),
                 IOobject::NO_READ
             ),
             pointField(points_), faceList(faces), labelList(owner),

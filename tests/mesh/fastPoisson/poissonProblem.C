@@ -3,6 +3,7 @@
 #include "poissonProblem.H"
 #include "gaussLaplacianScheme.H"
 #include "linear.H"
+#include "openfoamVersion.H"
 #include "orthogonalSnGrad.H"
 #include "fvmSup.H"
 #include "fvcSurfaceIntegrate.H"
@@ -27,7 +28,7 @@ Foam::wordList patchTypes
         const Foam::fvPatch& patch = mesh.boundary()[patchi];
         types[patchi] =
             Foam::polyPatch::constraintType(patch.type()) ? patch.type()
-          : fixed.found(patch.name()) ? Foam::word("fixedValue")
+          : Foam::fsi::isIn(fixed, patch.name()) ? Foam::word("fixedValue")
           : Foam::word("zeroGradient");
     }
     return types;

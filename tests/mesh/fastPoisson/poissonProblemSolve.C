@@ -2,6 +2,7 @@
 
 #include "poissonProblem.H"
 #include "fvScalarMatrix.H"
+#include "openfoamMesh.H"
 #include <ctime>
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -17,10 +18,10 @@ Foam::fsi::poissonProblem::completeEquation()
         const bool coupled = p_.boundaryField()[patchi].coupled();
         forAll(cells, i)
         {
-            eqn.diag()[cells[i]] += eqn.internalCoeffs()[patchi][i];
+            eqn.diag()[cells[i]] += internalCoeffsOf(eqn)[patchi][i];
             if (!coupled)
             {
-                eqn.source()[cells[i]] += eqn.boundaryCoeffs()[patchi][i];
+                eqn.source()[cells[i]] += boundaryCoeffsOf(eqn)[patchi][i];
             }
         }
     }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include "multigridCases.H"
+#include "openfoamMesh.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -22,7 +23,7 @@ void checkSymmetry
 {
     tmp<fvScalarMatrix> eqn(problem.completeEquation());
     cartesianMultigrid multigrid(mesh.mesh(), smallGather(cycle));
-    multigrid.update(eqn(), eqn().boundaryCoeffs(), problem.interfaces());
+    multigrid.update(eqn(), boundaryCoeffsOf(eqn()), problem.interfaces());
     EXPECT_GT(multigrid.nLevels(), 2);
 
     const scalarField a(randomField(mesh, 1));
@@ -71,7 +72,7 @@ TEST(cartesianMultigrid, keepsCellsWithoutCouplings)
     problem.mask(solid, nullptr);
     tmp<fvScalarMatrix> eqn(problem.completeEquation());
     cartesianMultigrid multigrid(mesh.mesh(), smallGather());
-    multigrid.update(eqn(), eqn().boundaryCoeffs(), problem.interfaces());
+    multigrid.update(eqn(), boundaryCoeffsOf(eqn()), problem.interfaces());
     scalarField z(mesh.cells().size());
     const scalarField r(randomField(mesh, 3));
     multigrid.precondition(z, r);
@@ -118,7 +119,7 @@ TEST(cartesianMultigrid, forgetsTheLastMatrix)
         {
             multigrid->update
             (
-                eqn(), eqn().boundaryCoeffs(), problem.interfaces(),
+                eqn(), boundaryCoeffsOf(eqn()), problem.interfaces(),
                 masked ? added : scalarField()
             );
             x[i].setSize(b.size(), 0);
@@ -148,7 +149,7 @@ TEST(cartesianMultigrid, signDoesNotMatter)
             eqn.ref().negate();
         }
         cartesianMultigrid multigrid(mesh.mesh(), smallGather());
-        multigrid.update(eqn(), eqn().boundaryCoeffs(), problem.interfaces());
+        multigrid.update(eqn(), boundaryCoeffsOf(eqn()), problem.interfaces());
         x[positive].setSize(mesh.cells().size(), 0);
         count[positive] = multigrid.solve
         (

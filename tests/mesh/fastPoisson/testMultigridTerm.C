@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include "multigridCases.H"
+#include "openfoamMesh.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -176,7 +177,7 @@ TEST(cartesianMultigrid, solvesWithATerm)
             scalarField b(exact.size());
             eqn().Amul
             (
-                b, exact, eqn().boundaryCoeffs(), problem.interfaces(), 0
+                b, exact, boundaryCoeffsOf(eqn()), problem.interfaces(), 0
             );
             term.addToAll(b, exact);
 
@@ -185,7 +186,7 @@ TEST(cartesianMultigrid, solvesWithATerm)
             cartesianMultigrid multigrid(mesh.mesh(), smallGather());
             multigrid.update
             (
-                eqn(), eqn().boundaryCoeffs(), problem.interfaces(),
+                eqn(), boundaryCoeffsOf(eqn()), problem.interfaces(),
                 term.diagonal()
             );
             scalarField x(exact.size(), Zero);
@@ -223,7 +224,7 @@ TEST(cartesianMultigrid, addedDiagonalHelps)
         cartesianMultigrid multigrid(mesh.mesh(), smallGather());
         multigrid.update
         (
-            eqn(), eqn().boundaryCoeffs(), problem.interfaces(),
+            eqn(), boundaryCoeffsOf(eqn()), problem.interfaces(),
             added ? term.diagonal : scalarField()
         );
         scalarField x(b.size(), Zero);

@@ -7,7 +7,8 @@
 
 #include "../population/someObjects.H"
 #include "OSspecific.H"
-#include "StringStream.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
 #include "mathematicalConstants.H"
 #include "objectWriter.H"
 

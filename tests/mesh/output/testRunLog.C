@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "../boxMesh.H"
-#include "StringStream.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
 #include "runLog.H"
 
 using namespace Foam;

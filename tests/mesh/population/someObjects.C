@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "someObjects.H"
-#include "Random.H"
-#include "StringStream.H"
+#include "openfoamCase.H"
+#include "randomNumbers.H"
+#include "IStringStream.H"
+#include "OStringStream.H"
 
 using namespace Foam;
 using Foam::fsi::population;
@@ -40,14 +42,7 @@ autoPtr<Time> someObjects::makeTime
     const Time& other = const_cast<fsi::boxMesh&>(box).time();
     dictionary controls(other.controlDict());
     controls.set("writeFormat", writeFormat);
-    return autoPtr<Time>
-    (
-        new Time
-        (
-            controls, other.rootPath(), other.caseName(),
-            "system", "constant", false, false
-        )
-    );
+    return fsi::newTime(controls, other.rootPath(), other.caseName());
 }
 
 
@@ -94,7 +89,7 @@ autoPtr<population> someObjects::make(const Time& time)
 
 void someObjects::deform(population& objects)
 {
-    Random random(3);
+    fsi::randomNumbers random(3);
     const scalar dt = 0.01;
     forAll(objects.groups(), groupi)
     {

@@ -4,7 +4,7 @@
 
 #include "seedBox.H"
 #include "outlineLoop.H"
-#include "Random.H"
+#include "randomNumbers.H"
 
 using namespace Foam;
 using Foam::fsi::closedSurface;
@@ -94,7 +94,7 @@ TEST(Outline, aBodyMayLieInTheHollowOfAnother)
 
 TEST(Outline, closerThanAgreesWithDistance)
 {
-    Random random(5);
+    fsi::randomNumbers random(5);
     label nClose = 0;
     for (label i = 0; i < 300; ++i)
     {
@@ -136,7 +136,7 @@ TEST(Packing, findsWhatACompleteSearchFinds)
         domain, 0.05, {"letter", "bar"},
         {letterC(), rectangle({-2, -0.1, 0}, {2, 0.1, 0})}
     );
-    Random random(2);
+    fsi::randomNumbers random(2);
     const auto next = [&](const label shape)
     {
         placedObject object;

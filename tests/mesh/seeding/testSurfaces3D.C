@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "seedBox.H"
-#include "Random.H"
+#include "randomNumbers.H"
 #include "rotations.H"
 
 using namespace Foam;
@@ -98,7 +98,7 @@ TEST(ClosedSurface, crossedAndEnclosedOnesAreAtDistanceZero)
 
 TEST(ClosedSurface, closerThanAgreesWithDistance)
 {
-    Random random(3);
+    fsi::randomNumbers random(3);
     const closedSurface flat = seedBox::ellipsoid({1, 1, 0.2}, 2);
     label nClose = 0;
     for (label i = 0; i < 200; ++i)
@@ -129,7 +129,7 @@ TEST(Packing, findsInSpaceWhatACompleteSearchFinds)
         },
         vector(9, 0, 0)
     );
-    Random random(4);
+    fsi::randomNumbers random(4);
     const auto next = [&](const label shape)
     {
         placedObject object;
@@ -165,7 +165,7 @@ TEST(Packing, findsInSpaceWhatACompleteSearchFinds)
 TEST(Rotations, randomOnesAreEvenAmongAll)
 {
     // Of an even distribution the mean of R is 0, and that of R_ij^2 is 1/3
-    Random random(1);
+    fsi::randomNumbers random(1);
     const label n = 20000;
     tensor mean(Zero), meanSqr(Zero);
     scalar meanAngle = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "searchCases.H"
-#include "Random.H"
+#include "randomNumbers.H"
 
 TEST(ContactSearch, cellsFindWhatBruteForceFinds)
 {
@@ -98,7 +98,7 @@ TEST(ContactSearch, kinksOfAnObjectHaveGapsInFront)
     label nPairs = 0;
     for (label seed = 1; seed < 40; ++seed)
     {
-        Random random(seed);
+        randomNumbers random(seed);
         pointField x(circleNodes(1, n));
         for (point& p : x)
         {

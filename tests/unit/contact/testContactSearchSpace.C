@@ -13,7 +13,7 @@ namespace
 surfaceSet squeezedSpheres(const label n, const label nCuts)
 {
     surfaceSet surfaces(3);
-    Random random(4);
+    randomNumbers random(4);
     for (label i = 0; i < n; ++i)
     {
         surfaceSet sphere(sphereAtOrigin(1, nCuts - i % 2));
@@ -131,7 +131,7 @@ TEST(ContactSearchSpace, medialAxis)
 TEST(ContactSearchSpace, gapIsNegativeInsideOnly)
 {
     // Nodes anywhere about slivers and cups: the sign is that of the winding
-    Random random(8);
+    randomNumbers random(8);
     const std::vector<surfaceSet> bodies({sliver(), cup(2), slitBall(2)});
     for (const surfaceSet& body : bodies)
     {

@@ -3,7 +3,7 @@
 // Time of a step's contact among many soft spheres
 
 #include "rigidSpheres.H"
-#include "Random.H"
+#include "randomNumbers.H"
 
 #include <ctime>
 
@@ -30,7 +30,7 @@ struct manySpheres
             std::cbrt(4*4*constant::mathematical::pi/3/0.4);
         const vector corners[4] =
             {{0, 0, 0}, {0.5, 0.5, 0}, {0.5, 0, 0.5}, {0, 0.5, 0.5}};
-        Random random(6);
+        randomNumbers random(6);
         const label perSide = std::ceil(std::cbrt(n/4.0));
         for (label i = 0; i < n; ++i)
         {
@@ -77,15 +77,15 @@ struct manySpheres
     //- Seconds of the search and of all else
     std::pair<scalar, scalar> step(contact& law, const scalar dt)
     {
-        const clock_t start = clock();
+        const clock_t start = ::clock();
         const UList<medialAxisPoint> axis;
         law.measure(surfaces, bodies, walls, axis);
-        const clock_t found = clock();
+        const clock_t found = ::clock();
         const label sweeps = law.calculate
         (
             surfaces, surfaces.velocities(), bodies, walls, axis, dt, force
         ).sweeps;
-        const clock_t end = clock();
+        const clock_t end = ::clock();
         std::cout
             << surfaces.size() << " spheres of "
             << surfaces.pointStart()[1] << " nodes, "

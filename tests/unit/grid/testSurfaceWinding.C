@@ -13,7 +13,7 @@ TEST(SurfaceWinding, isOneInsideAndZeroOutside)
     appendDisc(plane, point(0.2, -0.1, 0), 1, 400);
     const surfaceSet solids(octahedra(1));
 
-    Random random(5);
+    randomNumbers random(5);
     label nInside = 0;
     for (label i = 0; i < 500; ++i)
     {

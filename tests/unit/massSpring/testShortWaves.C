@@ -8,7 +8,7 @@ Description
 #include "samples.H"
 #include "../levelSet/testSurfaces.H"
 #include "mathematicalConstants.H"
-#include "Random.H"
+#include "randomNumbers.H"
 #include "shortWaves.H"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ surfaceSet patch(const label n, const scalar thrown)
 {
     const scalar length = 0.3;
     const vector e1(0.8, 0, 0.6), e2(0, 1, 0);
-    Random random(3);
+    randomNumbers random(3);
     pointField x(n*n);
     List<surfaceFace> faces;
     for (label j = 0; j < n; ++j)

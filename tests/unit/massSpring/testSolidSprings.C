@@ -6,6 +6,7 @@ Description
 \*---------------------------------------------------------------------------*/
 
 #include "patchTest.H"
+#include "openfoamVersion.H"
 #include "solidSamples.H"
 #include "springCalibration.H"
 
@@ -32,7 +33,7 @@ Eigen::MatrixXd compliance(const shapeTemplate& shape)
         shape.springConstants(),
         shape.elementTerm(),
         1,
-        labelListList(1, identity(shape.elements().size()))
+        labelListList(1, identityList(shape.elements().size()))
     )[0];
 }
 
@@ -96,7 +97,7 @@ TEST(solidSprings, patchTestFindsTheModuliOfElements)
         weak,
         shape->elementTerm(),
         1,
-        labelListList(1, identity(shape->elements().size()))
+        labelListList(1, identityList(shape->elements().size()))
     )[0];
     EXPECT_NEAR(1/S.topLeftCorner(3, 3).sum(), 0.5e5, 0.01*0.5e5);
     EXPECT_LT((S - S.transpose()).norm(), 1e-6*S.norm());

@@ -5,6 +5,7 @@
 
 #include "surfacePredicates.H"
 #include "../levelSet/testSurfaces.H"
+#include "openfoamVersion.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -32,7 +33,7 @@ List<labelPair> overlaps
 {
     return surfacePredicates::overlapping
     (
-        octahedra(centres), identity(centres.size()), period
+        octahedra(centres), identityList(centres.size()), period
     );
 }
 
@@ -65,7 +66,7 @@ TEST(SurfacePredicates, solidsEncloseEachOther)
     const List<labelPair> expected(1, labelPair(0, 2));
     EXPECT_EQ
     (
-        surfacePredicates::overlapping(surfaces, identity(3)), expected
+        surfacePredicates::overlapping(surfaces, identityList(3)), expected
     );
     EXPECT_EQ
     (
@@ -154,12 +155,15 @@ TEST(SurfacePredicates, outlinesAreThoseOfPolygonPredicates)
     appendDisc(surfaces, point(0, 0, 0), 1, 30);
     appendDisc(surfaces, point(9.5, 0, 0), 1, 30);
     EXPECT_FALSE(surfacePredicates::cutsItself(surfaces, 0));
-    EXPECT_EQ(surfacePredicates::overlapping(surfaces, identity(2)).size(), 0);
+    EXPECT_TRUE
+    (
+        surfacePredicates::overlapping(surfaces, identityList(2)).empty()
+    );
     EXPECT_EQ
     (
         surfacePredicates::overlapping
         (
-            surfaces, identity(2), vector(10, 0, 0)
+            surfaces, identityList(2), vector(10, 0, 0)
         ),
         List<labelPair>(1, labelPair(0, 1))
     );

@@ -2,8 +2,6 @@
 
 #include "fsiObjectsOption.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
-#include "stockSolver.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -30,12 +28,9 @@ Foam::fsi::fsiObjectsOption::fsiObjectsOption
 )
 :
     fv::option(name, modelType, dict, mesh),
-    velocityName_(stockField<volVectorField>(mesh, dict, "U")),
-    pressureName_(stockField<volScalarField>(mesh, dict, "p")),
-    objects_(withoutObjects(mesh, dict), stockViscosity(mesh))
+    objects_(mesh, dict, {"type", "active", "libs"})
 {
-    checkKeys(dict, {"type", "active", "U", "p", "libs"});
-    fieldNames_ = wordList(1, velocityName_);
+    fieldNames_ = wordList(1, objects_.velocityName());
     applied_ = List<bool>(1, false);
 }
 
@@ -48,11 +43,7 @@ void Foam::fsi::fsiObjectsOption::constrain
     const label
 )
 {
-    objects_.advance
-    (
-        mesh_.lookupObjectRef<volVectorField>(velocityName_),
-        mesh_.lookupObjectRef<volScalarField>(pressureName_)
-    );
+    objects_.advance();
     if (mag(objects_.driving().value()) > 0)
     {
         equation -= objects_.driving();

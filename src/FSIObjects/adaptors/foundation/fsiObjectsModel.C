@@ -3,9 +3,9 @@
 #include "fsiObjectsModel.H"
 #include "fsiObjectsConstraint.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
+#include "fvConstraints.H"
 #include "fvMatrices.H"
-#include "stockSolver.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -31,6 +31,26 @@ namespace fsi
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::fsiObjectsModel::checkConstraint() const
+{
+    const PtrListDictionary<fvConstraint>& constraints =
+        Foam::fvConstraints::New(mesh());
+    forAll(constraints, i)
+    {
+        if (isA<fsiObjectsConstraint>(constraints[i]))
+        {
+            return;
+        }
+    }
+    FatalErrorInFunction
+        << "The model " << name() << " of type fsiObjects in constant/fvModels"
+        << " needs a constraint of the same type in system/fvConstraints" << nl
+        << "    " << name() << " { type fsiObjects; }" << exit(FatalError);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::fsiObjectsModel::fsiObjectsModel
@@ -42,20 +62,15 @@ Foam::fsi::fsiObjectsModel::fsiObjectsModel
 )
 :
     fvModel(name, modelType, mesh, dict),
-    velocityName_(stockField<volVectorField>(mesh, dict, "U")),
-    pressureName_(stockField<volScalarField>(mesh, dict, "p")),
-    objects_(withoutObjects(mesh, dict), stockViscosity(mesh)),
-    forcedIndex_(mesh.time().timeIndex())
-{
-    checkKeys(dict, {"type", "U", "p", "libs"});
-}
+    objects_(mesh, dict, {"type", "libs"})
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::wordList Foam::fsi::fsiObjectsModel::addSupFields() const
 {
-    return wordList(1, velocityName_);
+    return wordList(1, objects_.velocityName());
 }
 
 
@@ -74,41 +89,20 @@ void Foam::fsi::fsiObjectsModel::addSup
 
 void Foam::fsi::fsiObjectsModel::correct()
 {
-    const label timeIndex = mesh().time().timeIndex();
-    if (forcedIndex_ < timeIndex - 1)
-    {
-        FatalErrorInFunction
-            << "No constraint has forced the momentum equation: the model "
-            << name() << " of type fsiObjects needs a constraint of type "
-            << "fsiObjects in system/fvConstraints" << nl
-            << "    objects { type fsiObjects; }" << exit(FatalError);
-    }
-    objects_.advance
-    (
-        mesh().lookupObjectRef<volVectorField>(velocityName_),
-        mesh().lookupObjectRef<volScalarField>(pressureName_)
-    );
+    checkConstraint();
+    objects_.advance();
 }
 
 
 void Foam::fsi::fsiObjectsModel::force(fvMatrix<vector>& equation)
 {
-    forcedIndex_ = mesh().time().timeIndex();
     objects_.force(equation);
 }
 
 
 Foam::scalar Foam::fsi::fsiObjectsModel::maxDeltaT() const
 {
-    const scalar courantNo = objects_.objects().courantNo();
-    const scalar maxCo = readPositive
-    (
-        mesh().time().controlDict(), "maxCo", 0.5
-    );
-    return
-        courantNo > 0
-      ? maxCo*mesh().time().deltaTValue()/courantNo
-      : fvModel::maxDeltaT();
+    return min(objects_.maxDeltaT(), fvModel::maxDeltaT());
 }
 
 

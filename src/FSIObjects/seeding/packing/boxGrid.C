@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "boxGrid.H"
+#include "openfoamVersion.H"
 
 #include <algorithm>
 
@@ -64,7 +65,7 @@ void Foam::fsi::boxGrid::takeOut(const label objecti, const boundBox& box)
         [&](const label celli)
         {
             DynamicList<label>& cell = cells_[celli];
-            std::swap(cell[cell.find(objecti)], cell.last());
+            std::swap(cell[indexOf(cell, objecti)], cell.last());
             cell.remove();
             return false;
         }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "packing.H"
-#include "StringStream.H"
+#include "IStringStream.H"
+#include "openfoamVersion.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -193,7 +195,7 @@ Foam::label Foam::fsi::packing::insert(const placedObject& object)
 {
     objects_.append(object);
     surfaces_.append(placed(object));
-    occupied_.add(surfaces_.last().bounds());
+    extend(occupied_, surfaces_.last().bounds());
     grid_.enter(size() - 1, surfaces_.last().bounds());
     return size() - 1;
 }
@@ -211,7 +213,7 @@ void Foam::fsi::packing::move
     objects_[objecti].centre = centre;
     objects_[objecti].rotation = rotation;
     surfaces_[objecti] = moved;
-    occupied_.add(moved.bounds());
+    extend(occupied_, moved.bounds());
     grid_.enter(objecti, moved.bounds());
 }
 

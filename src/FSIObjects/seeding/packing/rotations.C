@@ -3,7 +3,9 @@
 #include "rotations.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
+#include "openfoamVersion.H"
 #include "quaternion.H"
+#include "randomNumbers.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -30,7 +32,7 @@ static tensor rotationFrom(const dictionary& dict)
     const quaternion q
     (
         byAxis
-      ? quaternion(0, dict.get<vector>("axis"))
+      ? quaternion(0, getEntry<vector>(dict, "axis"))
       : quaternion(dict.lookup("quaternion"))
     );
     const scalar length = mag(q);
@@ -43,7 +45,7 @@ static tensor rotationFrom(const dictionary& dict)
     }
     return
         byAxis
-      ? rotationAbout(q.v(), dict.get<scalar>("angle"))
+      ? rotationAbout(q.v(), getEntry<scalar>(dict, "angle"))
       : rotationOf(q.w(), q.v());
 }
 
@@ -105,7 +107,7 @@ Foam::tensor Foam::fsi::readRotation
 
 Foam::tensor Foam::fsi::randomRotation
 (
-    Random& random,
+    randomNumbers& random,
     const direction nDims
 )
 {
@@ -123,7 +125,7 @@ Foam::tensor Foam::fsi::randomRotation
 
 Foam::tensor Foam::fsi::randomTurn
 (
-    Random& random,
+    randomNumbers& random,
     const direction nDims,
     const scalar degrees
 )
@@ -141,7 +143,11 @@ Foam::tensor Foam::fsi::randomTurn
 }
 
 
-Foam::vector Foam::fsi::randomInBall(Random& random, const direction nDims)
+Foam::vector Foam::fsi::randomInBall
+(
+    randomNumbers& random,
+    const direction nDims
+)
 {
     vector v(Zero);
     do

@@ -3,9 +3,12 @@
 #include "csvPlacement.H"
 #include "caseFile.H"
 #include "IFstream.H"
+#include "openfoamVersion.H"
 #include "rotations.H"
 #include "stringOps.H"
 #include "addToRunTimeSelectionTable.H"
+
+#include <sstream>
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -30,9 +33,14 @@ namespace fsi
 static wordList splitLine(const string& line)
 {
     DynamicList<word> values;
-    for (const auto& part : stringOps::split(line, ','))
+    std::istringstream parts(line);
+    std::string part;
+    while (std::getline(parts, part, ','))
     {
-        values.append(word(stringOps::trim(part.str()), false));
+        if (part.size())
+        {
+            values.append(word(stringOps::trim(part), false));
+        }
     }
     return wordList(std::move(values));
 }
@@ -83,14 +91,14 @@ void Foam::fsi::csvPlacement::checkColumns
     }
     forAll(columns, i)
     {
-        if (!known.found(columns[i]))
+        if (!isIn(known, columns[i]))
         {
             OStringStream os;
             os  << "unknown column " << columns[i].c_str()
                 << ", valid columns are " << flatOutput(known);
             refuse(line, os.str());
         }
-        if (columns.find(columns[i]) < i)
+        if (indexOf(columns, columns[i]) < i)
         {
             refuse(line, "column " + columns[i] + " is there twice");
         }
@@ -99,8 +107,8 @@ void Foam::fsi::csvPlacement::checkColumns
     checkRotations(columns, line);
     if
     (
-        !columns.found("x") || !columns.found("y")
-     || (nDims() == 3 && !columns.found("z"))
+        !isIn(columns, "x") || !isIn(columns, "y")
+     || (nDims() == 3 && !isIn(columns, "z"))
     )
     {
         refuse
@@ -131,7 +139,7 @@ void Foam::fsi::csvPlacement::checkRotations
         label nFound = 0;
         for (const word& column : set)
         {
-            nFound += columns.found(column);
+            nFound += isIn(columns, column);
         }
         if (nFound != 0 && nFound != set.size())
         {

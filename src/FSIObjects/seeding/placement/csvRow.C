@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "csvRow.H"
+#include "openfoamVersion.H"
 #include "rotations.H"
 
 #include <sstream>
@@ -37,7 +38,7 @@ Foam::scalar Foam::fsi::csvRow::value
     const scalar otherwise
 ) const
 {
-    const label i = columns_.find(column);
+    const label i = indexOf(columns_, column);
     if (i < 0)
     {
         return otherwise;
@@ -71,7 +72,7 @@ Foam::vector Foam::fsi::csvRow::triple
 
 Foam::tensor Foam::fsi::csvRow::rotation() const
 {
-    if (columns_.found("axisX"))
+    if (isIn(columns_, "axisX"))
     {
         const vector axis(triple("axis", Zero));
         if (!(mag(axis) > VSMALL))
@@ -80,7 +81,7 @@ Foam::tensor Foam::fsi::csvRow::rotation() const
         }
         return rotationAbout(axis, value("angle", 0));
     }
-    if (columns_.found("quaternionW"))
+    if (isIn(columns_, "quaternionW"))
     {
         const scalar w = value("quaternionW", 0);
         const vector v(triple("quaternion", Zero));

@@ -2,6 +2,7 @@
 
 #include "latticePlacement.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 #include "rotations.H"
 #include "Switch.H"
 #include "addToRunTimeSelectionTable.H"
@@ -34,11 +35,11 @@ void Foam::fsi::latticePlacement::readLattice(const packing& space)
     const bool given = dict().found("counts");
     if (given)
     {
-        counts_ = dict().get<Vector<label>>("counts");
+        counts_ = getEntry<Vector<label>>(dict(), "counts");
     }
     else
     {
-        spacing_ = dict().get<vector>("spacing");
+        spacing_ = getEntry<vector>(dict(), "spacing");
     }
 
     for (direction d = 0; d < nDims(); ++d)
@@ -149,7 +150,7 @@ Foam::fsi::latticePlacement::latticePlacement
 
 void Foam::fsi::latticePlacement::place(packing& space)
 {
-    const point middle = region().centre();
+    const point middle = centreOf(region());
 
     DynamicList<placedObject> objects(cmptProduct(counts_));
     labelVector i;

@@ -2,6 +2,7 @@
 
 #include "listedPlacement.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 #include "rotations.H"
 #include "addToRunTimeSelectionTable.H"
 
@@ -53,7 +54,7 @@ void Foam::fsi::listedPlacement::place(packing& space)
             newObject
             (
                 readShape(entry.found("shape") ? entry : dict(), space),
-                checkedCentre(entry.get<point>("centre"), space),
+                checkedCentre(getEntry<point>(entry, "centre"), space),
                 readRotation(entry, nDims()),
                 readVelocity(entry, velocity()),
                 readAngularVelocity(entry, angularVelocity())

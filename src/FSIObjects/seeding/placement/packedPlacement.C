@@ -56,7 +56,7 @@ void Foam::fsi::packedPlacement::thin(pointField& sites, const label number)
     // The first ones of a random order, as far as it is needed
     for (label i = 0; i < number; ++i)
     {
-        const label j = random().position<label>(i, sites.size() - 1);
+        const label j = random().between(i, sites.size() - 1);
         Swap(sites[i], sites[j]);
     }
     sites.resize(number);

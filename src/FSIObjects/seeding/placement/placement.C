@@ -2,6 +2,7 @@
 
 #include "placement.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 #include "rotations.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
@@ -139,9 +140,9 @@ Foam::autoPtr<Foam::fsi::placement> Foam::fsi::placement::New
     const packing& space
 )
 {
-    const word type(dict.get<word>("type"));
-    auto constructor = dictionaryConstructorTablePtr_->cfind(type);
-    if (!constructor.found())
+    const word type(getEntry<word>(dict, "type"));
+    const auto* constructor = findIn(*dictionaryConstructorTablePtr_, type);
+    if (!constructor)
     {
         FatalIOErrorInFunction(dict)
             << "Unknown type '" << type << "' in entry 'type' of placement "
@@ -149,7 +150,7 @@ Foam::autoPtr<Foam::fsi::placement> Foam::fsi::placement::New
             << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
             << exit(FatalIOError);
     }
-    return constructor()(name, dict, space);
+    return (*constructor)(name, dict, space);
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "placement.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -44,7 +45,7 @@ Foam::label Foam::fsi::placement::readShape
     const packing& space
 ) const
 {
-    return findShape(dict.get<word>("shape"), space);
+    return findShape(getEntry<word>(dict, "shape"), space);
 }
 
 
@@ -54,7 +55,7 @@ Foam::label Foam::fsi::placement::findShape
     const packing& space
 ) const
 {
-    const label shapei = space.shapeNames().find(shape);
+    const label shapei = indexOf(space.shapeNames(), shape);
     if (shapei < 0)
     {
         FatalIOErrorInFunction(dict_)

@@ -2,6 +2,7 @@
 
 #include "regionPlacement.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -58,7 +59,10 @@ Foam::boundBox Foam::fsi::regionPlacement::readRegion
 
     const dictionary& region = dict().subDict("region");
     checkKeys(region, {"min", "max"});
-    const boundBox box(region.get<point>("min"), region.get<point>("max"));
+    const boundBox box
+    (
+        getEntry<point>(region, "min"), getEntry<point>(region, "max")
+    );
     if
     (
         !(sizeOf(box, nDims()) > 0)

@@ -168,7 +168,7 @@ Foam::scalar Foam::fsi::thesisContact::potentialEnergy
     for (const labelPair& c : collisions_)
     {
         const scalar d = mag(x[c.first()] - x[c.second()]);
-        for (const label nodei : c)
+        for (const label nodei : {c.first(), c.second()})
         {
             sum += energy(areas[nodei], d)/count_[nodei];
         }

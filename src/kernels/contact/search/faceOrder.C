@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "faceOrder.H"
+#include "openfoamVersion.H"
 
 #include <algorithm>
 
@@ -29,7 +30,7 @@ Foam::List<Foam::fsi::surfaceFace> Foam::fsi::faceOrder::localFaces
 
 void Foam::fsi::faceOrder::sortFaces(const pointField& centres)
 {
-    faces_ = identity(centres.size());
+    faces_ = identityList(centres.size());
     faceStart_ = labelList({0, faces_.size()});
     while (faces_.size() > groupSize*nGroups())
     {
@@ -42,7 +43,7 @@ void Foam::fsi::faceOrder::sortFaces(const pointField& centres)
             boundBox box;
             for (label i = begin; i < end; ++i)
             {
-                box.add(centres[faces_[i]]);
+                extend(box, centres[faces_[i]]);
             }
             const vector size(box.span());
             const direction longest =

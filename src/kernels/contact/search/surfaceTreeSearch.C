@@ -2,6 +2,7 @@
 
 #include "surfaceTreeSearch.H"
 #include "addToRunTimeSelectionTable.H"
+#include "openfoamVersion.H"
 
 #include <algorithm>
 
@@ -49,7 +50,7 @@ void Foam::fsi::surfaceTreeSearch::findNear
     {
         return trees_.root(objecti).places.min().x();
     };
-    sweep_ = identity(surfaces.size());
+    sweep_ = identityList(surfaces.size());
     std::sort
     (
         sweep_.begin(), sweep_.end(),

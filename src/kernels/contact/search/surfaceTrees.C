@@ -2,6 +2,7 @@
 
 #include "surfaceTrees.H"
 #include "contactGeometry.H"
+#include "openfoamVersion.H"
 
 #include <algorithm>
 
@@ -27,16 +28,16 @@ void Foam::fsi::surfaceTrees::updateTree
             const surfaceFace& f = surfaces.faces()[faceStart + facei];
             for (label i = 0; i < surfaces.nNodes(); ++i)
             {
-                b.places.add(surfaces.points()[f[i]]);
+                extend(b.places, surfaces.points()[f[i]]);
             }
-            b.normals.add(geometry.faceNormal(faceStart + facei));
+            extend(b.normals, geometry.faceNormal(faceStart + facei));
         }
     }
     for (label i = nGroups - 1; i > 0; --i)
     {
         tree[i] = tree[2*i];
-        tree[i].places.add(tree[2*i + 1].places);
-        tree[i].normals.add(tree[2*i + 1].normals);
+        extend(tree[i].places, tree[2*i + 1].places);
+        extend(tree[i].normals, tree[2*i + 1].normals);
     }
 }
 

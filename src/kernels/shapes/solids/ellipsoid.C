@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -21,7 +22,7 @@ namespace fsi
 
 Foam::fsi::ellipsoid::ellipsoid(const dictionary& dict)
 :
-    semiAxes_(dict.get<vector>("semiAxes"))
+    semiAxes_(getEntry<vector>(dict, "semiAxes"))
 {
     checkKeys(dict, {"type", "semiAxes"});
     if (!(cmptMin(semiAxes_) > 0))

@@ -5,11 +5,12 @@
 #include "boundBox.H"
 #include "caseFile.H"
 #include "dictionaryCheck.H"
+#include "errorOf.H"
 #include "mergePoints.H"
+#include "openfoamSurface.H"
 #include "OSspecific.H"
 #include "surfaceFaults.H"
 #include "surfaceTools.H"
-#include "triSurface.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -26,53 +27,10 @@ namespace fsi
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace
-{
-
-//- Makes OpenFOAM's fatal errors exceptions in its scope
-class errorsThrown
-{
-    const bool fatal_;
-    const bool fatalIO_;
-
-public:
-
-    errorsThrown()
-    :
-        fatal_(Foam::FatalError.throwExceptions()),
-        fatalIO_(Foam::FatalIOError.throwExceptions())
-    {}
-
-    ~errorsThrown()
-    {
-        Foam::FatalError.throwExceptions(fatal_);
-        Foam::FatalIOError.throwExceptions(fatalIO_);
-    }
-};
-
-} // End anonymous namespace
-
-
 namespace Foam
 {
 namespace fsi
 {
-
-//- Triangles of a file as they are; OpenFOAM's message if it cannot be read
-static string readTriangles(const fileName& file, triSurface& triangles)
-{
-    const errorsThrown thrown;
-    try
-    {
-        triangles = triSurface(file);
-        return string();
-    }
-    catch (const Foam::error& err)
-    {
-        return err.message();
-    }
-}
-
 
 //- The triangles with each place a single point, all of them used
 static shapeMesh joined(const triSurface& triangles)
@@ -139,19 +97,22 @@ Foam::fsi::shapeMesh Foam::fsi::surfaceFile::read(const dictionary& dict)
     {
         fail(dict, file, "cannot be read: there is no such file");
     }
-    if (!triSurface::canRead(file))
+    if (!canReadSurface(file))
     {
         OStringStream os;
         os  << "cannot be read: valid formats are "
-            << flatOutput(triSurface::readTypes().sortedToc());
+            << flatOutput(surfaceFormats());
         fail(dict, file, os.str());
     }
 
     triSurface triangles;
-    const string message(readTriangles(file, triangles));
-    if (message.size())
+    const caughtError error
+    (
+        errorOf([&]() { triangles = triSurface(file); })
+    );
+    if (error.message.size())
     {
-        fail(dict, file, "cannot be read: " + message);
+        fail(dict, file, "cannot be read: " + error.message);
     }
     if (triangles.empty())
     {
