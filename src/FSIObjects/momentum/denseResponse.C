@@ -2,6 +2,40 @@
 
 #include "denseResponse.H"
 
+#include <algorithm>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::denseResponse::solveCopy
+(
+    const label copyi,
+    const std::vector<Eigen::MatrixXd*>& x
+) const
+{
+    const denseCholesky& factor = factors_[copyi];
+    const label nDims = group_.shape().nDims();
+    const label n = factor.size();
+    const label nRows = factor.nRows();
+    const label nColumns = nDims*label(x.size());
+    columns_.resize(nRows*nColumns);
+    const auto ofCopy = [&](const label k)
+    {
+        return x[k/nDims]->col(nDims*copyi + k % nDims).data();
+    };
+    for (label k = 0; k < nColumns; ++k)
+    {
+        double* column = columns_.data() + nRows*k;
+        std::copy_n(ofCopy(k), n, column);
+        std::fill_n(column + n, nRows - n, 0.0);
+    }
+    factor.solve(nColumns, columns_.data(), work_);
+    for (label k = 0; k < nColumns; ++k)
+    {
+        std::copy_n(columns_.data() + nRows*k, n, ofCopy(k));
+    }
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
 void Foam::fsi::denseResponse::makeModes()
@@ -9,10 +43,14 @@ void Foam::fsi::denseResponse::makeModes()
     if (madeFor_ != deltaT_)
     {
         const label nB = nRows();
-        boundary_ = group_.shape().factor(deltaT_).boundaryInverse().llt()
-           .solve(Eigen::MatrixXd::Identity(nB, nB));
-        boundary_ = (0.5*(boundary_ + boundary_.transpose())).eval();
-        panels_.reset(boundary_);
+        Eigen::MatrixXd S
+        (
+            group_.shape().factor(deltaT_).boundaryInverse().llt()
+           .solve(Eigen::MatrixXd::Identity(nB, nB))
+        );
+        S = (0.5*(S + S.transpose())).eval();
+        boundary_ = densePanels(S);
+        panels_.reset(S);
         madeFor_ = deltaT_;
     }
     sharedResponse::makeModes();
@@ -56,17 +94,45 @@ void Foam::fsi::denseResponse::makeMatrices
 }
 
 
+Eigen::MatrixXd Foam::fsi::denseResponse::multiply
+(
+    const Eigen::MatrixXd& x
+) const
+{
+    Eigen::MatrixXd result;
+    boundary_.multiply(x, result);
+    return result;
+}
+
+
 void Foam::fsi::denseResponse::solveMatrices
 (
     const Eigen::MatrixXd& b,
     Eigen::MatrixXd& x
 ) const
 {
-    const label nDims = group_.shape().nDims();
     x = b;
+    const std::vector<Eigen::MatrixXd*> all{&x};
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        factors_[copyi].solve(x.middleCols(nDims*copyi, nDims), columns_);
+        solveCopy(copyi, all);
+    }
+}
+
+
+void Foam::fsi::denseResponse::solveModes
+(
+    std::vector<Eigen::MatrixXd>& x
+) const
+{
+    std::vector<Eigen::MatrixXd*> all;
+    for (Eigen::MatrixXd& each : x)
+    {
+        all.push_back(&each);
+    }
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        solveCopy(copyi, all);
     }
 }
 

@@ -12,6 +12,18 @@ Foam::fsi::woodburyResponse::woodburyResponse(const bodyGroup& group)
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
+void Foam::fsi::woodburyResponse::solveModes
+(
+    std::vector<Eigen::MatrixXd>& x
+) const
+{
+    for (Eigen::MatrixXd& each : x)
+    {
+        solveMatrices(Eigen::MatrixXd(each), each);
+    }
+}
+
+
 Foam::fsi::woodburyResponse::modeVector Foam::fsi::woodburyResponse::project
 (
     const std::vector<Eigen::MatrixXd>& modes,
@@ -72,11 +84,8 @@ void Foam::fsi::woodburyResponse::addModes
 void Foam::fsi::woodburyResponse::makeWoodbury()
 {
     const label nModes(modes_.size());
-    solved_.resize(nModes);
-    for (label mode = 0; mode < nModes; ++mode)
-    {
-        solveMatrices(modes_[mode], solved_[mode]);
-    }
+    solved_ = modes_;
+    solveModes(solved_);
     woodbury_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {

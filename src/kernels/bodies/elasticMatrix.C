@@ -29,7 +29,15 @@ void Foam::fsi::elasticMatrix::solveBoundary
     Eigen::MatrixXd& v
 ) const
 {
-    factor_->solveBoundary(f, v);
+    // On the surface of a solid body nearly all nodes feel each other
+    if (shape_.nDims() == 3 && factor_->boundaryFill() > 0.25)
+    {
+        factor_->solveFullBoundary(f, v);
+    }
+    else
+    {
+        factor_->solveBoundary(f, v);
+    }
 }
 
 

@@ -189,4 +189,25 @@ void Foam::fsi::admmFactor::solveBoundary
 }
 
 
+void Foam::fsi::admmFactor::solveFullBoundary
+(
+    const Eigen::MatrixXd& f,
+    Eigen::MatrixXd& v
+) const
+{
+    if (denseInverse_.size() == 0)
+    {
+        denseInverse_ = densePanels(boundaryInverse());
+    }
+    denseInverse_.multiply(f, v);
+}
+
+
+Foam::scalar Foam::fsi::admmFactor::boundaryFill() const
+{
+    boundaryInverse();
+    return scalar(sparseInverse_.nonZeros())/sqr(scalar(nBoundary_));
+}
+
+
 // ************************************************************************* //

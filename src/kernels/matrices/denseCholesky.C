@@ -1,127 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "denseCholesky.H"
-#include "laneArray.H"
+#include "denseKernels.H"
 #include "vectorClones.H"
 
-#include <cmath>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using Foam::label;
-
-//- A column of a panel
-typedef Foam::fsi::laneArray<8> tileColumn;
-
-constexpr int width = 8;
-
-
-//- Four columns of the tile T of two panels: T -= sum_k a_k b_k^T
-FSI_INLINE void subtractProducts
-(
-    const double* a,
-    const double* b,
-    const label nColumns,
-    double* tile
-)
-{
-    tileColumn sums[4];
-    for (int c = 0; c < 4; ++c)
-    {
-        sums[c] = tileColumn::load(tile + width*c);
-    }
-    for (label k = 0; k < nColumns; ++k)
-    {
-        const tileColumn column(tileColumn::load(a + width*k));
-        for (int c = 0; c < 4; ++c)
-        {
-            sums[c] = sums[c] - column*tileColumn(b[width*k + c]);
-        }
-    }
-    for (int c = 0; c < 4; ++c)
-    {
-        sums[c].store(tile + width*c);
-    }
-}
-
-
-//- T := T L^-T with the factored tile on the diagonal
-FSI_INLINE void divideTile(const double* diagonal, double* tile)
-{
-    for (int c = 0; c < width; ++c)
-    {
-        tileColumn column(tileColumn::load(tile + width*c));
-        for (int k = 0; k < c; ++k)
-        {
-            column =
-                column
-              - tileColumn::load(tile + width*k)
-               *tileColumn(diagonal[width*k + c]);
-        }
-        (column*tileColumn(diagonal[width*c + c])).store(tile + width*c);
-    }
-}
-
-
-//- Factor the tile on the diagonal; its diagonal is inverted
-FSI_INLINE bool factorTile(double* tile)
-{
-    for (int c = 0; c < width; ++c)
-    {
-        for (int k = 0; k < c; ++k)
-        {
-            for (int r = c; r < width; ++r)
-            {
-                tile[width*c + r] -= tile[width*k + r]*tile[width*k + c];
-            }
-        }
-        if (!(tile[width*c + c] > 0))
-        {
-            return false;
-        }
-        const double inverse = 1/std::sqrt(tile[width*c + c]);
-        tile[width*c + c] = inverse;
-        for (int r = c + 1; r < width; ++r)
-        {
-            tile[width*c + r] *= inverse;
-        }
-    }
-    return true;
-}
-
-
-//- Factor panel i; the ones before it are factored. start: of each panel
-FSI_AVX2_CLONES
-bool factorPanel(double* values, const label i)
-{
-    const auto panel = [values](const label p)
-    {
-        return values + std::size_t(width*width)*p*(p + 1)/2;
-    };
-    double* own = panel(i);
-    for (label j = 0; j <= i; ++j)
-    {
-        double* tile = own + width*width*j;
-        for (int half = 0; half < 2; ++half)
-        {
-            subtractProducts
-            (
-                own, panel(j) + 4*half, width*j, tile + 4*width*half
-            );
-        }
-        if (j < i)
-        {
-            divideTile(panel(j) + width*width*j, tile);
-        }
-    }
-    return factorTile(own + width*width*i);
-}
-
-} // End anonymous namespace
-
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -170,14 +53,29 @@ void Foam::fsi::denseCholesky::reset
 
 bool Foam::fsi::denseCholesky::factor()
 {
-    for (label i = 0; i < nPanels_; ++i)
+    const auto factorGroup = hasAVX512() ? factorWide : factorNarrow;
+    for (label first = 0; first < nPanels_; first += panelGroup)
     {
-        if (!factorPanel(values_.data(), i))
+        const label last = std::min(first + panelGroup, nPanels_);
+        if (!factorGroup(values_.data(), first, last))
         {
             return false;
         }
     }
     return true;
+}
+
+
+void Foam::fsi::denseCholesky::solve
+(
+    const label nColumns,
+    double* columns,
+    laneField& work
+) const
+{
+    work.resize(width*nRows());
+    const auto solve = hasAVX512() ? solveWide : solveNarrow;
+    solve(values_.data(), nPanels_, nColumns, columns, work.data());
 }
 
 
