@@ -35,18 +35,22 @@ struct nearestSoFar
         return true;
     }
 
-    //- Go on to the next faces of an outline while they are nearer
-    void walk(const bool forwards)
+    //- Go on to a face across an edge, or a node of an outline, at which the
+    //  place lies, if that face is nearer
+    bool step()
     {
-        label next;
-        do
+        for (label i = 0; i < surfaces.nNodes(); ++i)
         {
-            next =
-                weights[forwards ? 0 : 1] <= 0
-              ? surfaces.nextFace(face, forwards)
-              : -1;
+            if (weights[i] <= 0)
+            {
+                const label next = surfaces.faceAcross(face, i);
+                if (next >= 0 && take(next))
+                {
+                    return true;
+                }
+            }
         }
-        while (next >= 0 && take(next));
+        return false;
     }
 };
 
@@ -77,8 +81,8 @@ Foam::fsi::surfacePlace Foam::fsi::nearestPlace
             << "No surface near the wall at " << p
             << exit(FatalError);
     }
-    nearest.walk(true);
-    nearest.walk(false);
+    while (nearest.step())
+    {}
 
     surfacePlace place;
     place.face = nearest.face;

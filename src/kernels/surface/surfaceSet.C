@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surfaceSet.H"
+#include "EdgeMap.H"
+#include "labelPair.H"
 #include "triangleProjection.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -39,6 +41,46 @@ void Foam::fsi::surfaceSet::copyImage
             nodei = nodei < 0 ? -1 : nodei + offset;
         }
         faceObject_[i] = imagei;
+    }
+    for
+    (
+        label i = faceStart_[imagei];
+        i < faceStart_[imagei + 1] && nDims_ == 3;
+        ++i
+    )
+    {
+        facesAcross_[i] = facesAcross_[i - faceOffset];
+        for (label& facei : facesAcross_[i])
+        {
+            facei = facei < 0 ? -1 : facei + faceOffset;
+        }
+    }
+}
+
+
+void Foam::fsi::surfaceSet::joinFaces()
+{
+    const label start = faceStart_[size() - 1];
+    facesAcross_.resize(faces_.size(), FixedList<label, 3>(label(-1)));
+
+    // Face and its node opposite of the edges that were met once
+    EdgeMap<labelPair> open;
+    for (label facei = start; facei < faces_.size(); ++facei)
+    {
+        const surfaceFace& f = faces_[facei];
+        for (label i = 0; i < 3; ++i)
+        {
+            const edge side(f[(i + 1) % 3], f[(i + 2) % 3]);
+            const auto other = open.find(side);
+            if (other == open.end())
+            {
+                open.insert(side, labelPair(facei, i));
+                continue;
+            }
+            facesAcross_[facei][i] = (*other).first();
+            facesAcross_[(*other).first()][(*other).second()] = facei;
+            open.erase(other);
+        }
     }
 }
 
@@ -79,6 +121,10 @@ Foam::label Foam::fsi::surfaceSet::append
     faceObject_.append(labelList(faces.size(), objecti));
     faceStart_.append(faces_.size());
     fixed_.append(false);
+    if (nDims_ == 3)
+    {
+        joinFaces();
+    }
 
     return objecti;
 }
@@ -110,6 +156,10 @@ void Foam::fsi::surfaceSet::appendImages
     pointObject_.resize(pointStart_.last());
     faces_.resize(faceStart_.last());
     faceObject_.resize(faceStart_.last());
+    if (nDims_ == 3)
+    {
+        facesAcross_.resize(faceStart_.last());
+    }
     forAll(originals, i)
     {
         copyImage(first + i, shifts[i]);
