@@ -113,6 +113,32 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
 }
 
 
+void Foam::fsi::contact::find
+(
+    const surfaceSet& surfaces,
+    const contactBodies& bodies,
+    const UList<contactWall>& walls,
+    const UList<medialAxisPoint>& medialAxis
+)
+{
+    const scalar range = scales_.range + margin_;
+    scalarField reaches;
+    if (finder_.takesReaches() && law_->startsAtRest())
+    {
+        reaches = ranges_.reaches(surfaces, margin_);
+    }
+    limited_ = !reaches.empty();
+    do
+    {
+        finder_.find
+        (
+            surfaces, bodies, walls, medialAxis, range, found_, reaches
+        );
+    }
+    while (ranges_.widen(surfaces, found_.pairs, margin_, reaches));
+}
+
+
 void Foam::fsi::contact::count(const surfaceSet& surfaces)
 {
     statistics_.contacts = 0;
@@ -136,7 +162,12 @@ void Foam::fsi::contact::count(const surfaceSet& surfaces)
             otherGap = min(otherGap, pair.gap);
         }
         statistics_.smallestGap = min(statistics_.smallestGap, pair.gap);
-        if (pair.gap < scales_.range)
+        // Not all pairs within the range are known where objects have less
+        const scalar range =
+            limited_ && pair.other != own
+          ? scales_.range/pair.stretch
+          : scales_.range;
+        if (pair.gap < range)
         {
             touching_.append
             (
@@ -189,8 +220,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
 {
     if (!searched(surfaces))
     {
-        const scalar range = scales_.range + margin_;
-        finder_.find(surfaces, bodies, walls, medialAxis, range, found_);
+        find(surfaces, bodies, walls, medialAxis);
         setStretches(surfaces, bodies);
         searched_ = surfaces.points();
     }

@@ -136,6 +136,47 @@ TEST(ContactRanges, growWithoutEnergyWhenBodiesPart)
 }
 
 
+TEST(ContactRanges, searchGoesAsFarAsTheyNeed)
+{
+    // The search by cells has all pairs up to the full range and the margin
+    rigidBodies world(lattice(0.5*h, 0.3));
+    contact law(contactOf(""));
+    contact all(contactOf("search { type surfaceCells; }"));
+    law.ranges() = scalarField(8, Zero);
+    all.ranges() = law.ranges();
+    world.solids[0].velocity *= 0.5;
+
+    const auto acting = [](const contact& c)
+    {
+        label n = 0;
+        for (const contactPair& pair : c.found().pairs)
+        {
+            n += pair.gap <= c.range()/pair.stretch + h;
+        }
+        return n;
+    };
+    scalar energy = 0;
+    label nFewer = 0;
+    for (label i = 0; i < 100; ++i)
+    {
+        run(world, law, 0.05, 1, energy);
+        all.measure
+        (
+            world.surfaces, world.bodies, world.walls, UList<medialAxisPoint>()
+        );
+        EXPECT_EQ(law.ranges(), all.ranges()) << i;
+        EXPECT_EQ(acting(law), acting(all)) << i;
+        EXPECT_EQ
+        (
+            world.statistics.smallestGap, all.statistics().smallestGap
+        ) << i;
+        EXPECT_LE(law.found().pairs.size(), all.found().pairs.size()) << i;
+        nFewer += law.found().pairs.size() < 0.7*all.found().pairs.size();
+    }
+    EXPECT_GT(nFewer, 10);
+}
+
+
 TEST(ContactRanges, walls)
 {
     rigidBodies world(3);

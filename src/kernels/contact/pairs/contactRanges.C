@@ -17,19 +17,12 @@ bool Foam::fsi::contactRanges::full() const
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::contactRanges::update
+Foam::scalarField Foam::fsi::contactRanges::nearestGaps
 (
     const surfaceSet& surfaces,
-    UList<contactPair>& pairs
-)
+    const UList<contactPair>& pairs
+) const
 {
-    if (ranges_.size() != surfaces.size() || full())
-    {
-        return;
-    }
-
     scalarField nearest(surfaces.size(), full_);
     for (const contactPair& pair : pairs)
     {
@@ -43,6 +36,72 @@ void Foam::fsi::contactRanges::update
             }
         }
     }
+    return nearest;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::fsi::contactRanges::reaches
+(
+    const surfaceSet& surfaces,
+    const scalar margin
+) const
+{
+    if (ranges_.size() != surfaces.size() || full())
+    {
+        return scalarField();
+    }
+    scalarField reaches(surfaces.size());
+    forAll(reaches, objecti)
+    {
+        const scalar range = ranges_[objecti];
+        reaches[objecti] =
+            margin + (range > 0 ? min(range + growth*margin, full_) : full_);
+    }
+    return reaches;
+}
+
+
+bool Foam::fsi::contactRanges::widen
+(
+    const surfaceSet& surfaces,
+    const UList<contactPair>& pairs,
+    const scalar margin,
+    scalarField& reaches
+) const
+{
+    if (reaches.empty())
+    {
+        return false;
+    }
+    const scalarField nearest(nearestGaps(surfaces, pairs));
+    bool wider = false;
+    forAll(reaches, objecti)
+    {
+        const scalar looked = reaches[objecti] - margin;
+        if (looked < (1 - SMALL)*full_ && nearest[objecti] > looked)
+        {
+            reaches[objecti] = full_ + margin;
+            wider = true;
+        }
+    }
+    return wider;
+}
+
+
+void Foam::fsi::contactRanges::update
+(
+    const surfaceSet& surfaces,
+    UList<contactPair>& pairs
+)
+{
+    if (ranges_.size() != surfaces.size() || full())
+    {
+        return;
+    }
+
+    const scalarField nearest(nearestGaps(surfaces, pairs));
     forAll(ranges_, objecti)
     {
         ranges_[objecti] = max(ranges_[objecti], max(nearest[objecti], least_));

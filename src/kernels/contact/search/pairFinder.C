@@ -25,10 +25,17 @@ void Foam::fsi::pairFinder::find
     const UList<contactWall>& walls,
     const UList<medialAxisPoint>& medialAxis,
     const scalar range,
-    contactPairs& found
+    contactPairs& found,
+    const scalarField& reaches
 )
 {
     const surfaceSet& all = images_.update(surfaces, range);
+    scalarField reachesOfAll(reaches.empty() ? 0 : all.size());
+    forAll(reachesOfAll, objecti)
+    {
+        reachesOfAll[objecti] = reaches[all.original(objecti)];
+    }
+    search_->setReaches(reachesOfAll);
     search_->find(all, walls, medialAxis, range, found);
 
     // What images' nodes find their originals find with other images. Between

@@ -74,7 +74,11 @@ void Foam::fsi::surfaceTreeSearch::findNear
             {
                 break;
             }
-            if (distanceSqr(box, other.min(), other.max()) <= sqr(range))
+            if
+            (
+                distanceSqr(box, other.min(), other.max())
+             <= sqr(reach(a, b, range))
+            )
             {
                 near_.append(labelPair(a, b));
                 near_.append(labelPair(b, a));
@@ -126,6 +130,7 @@ void Foam::fsi::surfaceTreeSearch::visit
 )
 {
     const point& x = surfaces.points()[nodei];
+    const label objecti = surfaces.pointObject()[nodei];
     for (candidate& c : candidates_)
     {
         const label leaf = trees_.order(c.object).nGroups() + c.group;
@@ -143,14 +148,15 @@ void Foam::fsi::surfaceTreeSearch::visit
     for (const candidate& c : candidates_)
     {
         // As far as what was found: an edge's other face may be in this group
+        const scalar limit = reach(objecti, c.object, range);
         const auto farthest = [&]()
         {
             return
                 1.000001
-               *Foam::sqrt(geometry_.reachSqr(surfaces, c.object, range));
+               *Foam::sqrt(geometry_.reachSqr(surfaces, c.object, limit));
         };
-        scalar reach = farthest();
-        if (c.distanceSqr > sqr(reach))
+        scalar nearest = farthest();
+        if (c.distanceSqr > sqr(nearest))
         {
             continue;
         }
@@ -159,10 +165,10 @@ void Foam::fsi::surfaceTreeSearch::visit
         {
             const label facei = start + local;
             const surfaceTrees::sphere& s = trees_.around(facei);
-            if (magSqr(x - s.centre) <= sqr(reach + s.radius))
+            if (magSqr(x - s.centre) <= sqr(nearest + s.radius))
             {
-                geometry_.consider(surfaces, nodei, facei, range);
-                reach = farthest();
+                geometry_.consider(surfaces, nodei, facei, limit);
+                nearest = farthest();
             }
         }
     }
@@ -196,7 +202,8 @@ void Foam::fsi::surfaceTreeSearch::findPairs
         candidates_.clear();
         for (const labelPair& other : near)
         {
-            descend(together, other.second(), range);
+            const label otheri = other.second();
+            descend(together, otheri, reach(objecti, otheri, range));
         }
         for (const label nodei : nodes)
         {
