@@ -2,6 +2,7 @@
 
 #include "redBlackOrder.H"
 #include "cyclicPolyPatch.H"
+#include "openfoamMesh.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -73,8 +74,8 @@ void Foam::fsi::redBlackOrder::setPatchSlots
           ? firstGhost + i
           : rowOf_
             [
-                refCast<const cyclicPolyPatch>(patch)
-               .neighbPatch().faceCells()[i]
+                oppositeOf(refCast<const cyclicPolyPatch>(patch))
+               .faceCells()[i]
             ];
         patchSlot_[patchi][i] = nextSlot(neighbourRow, cells[i], row);
     }

@@ -25,7 +25,7 @@ void Foam::fsi::bodyGroups::readGroup
     (
         stateFile::read
         (
-            stateFile::input(time_, readConstant(time_), folder, name)
+            stateFile::input(time_, caseConstant(time_), folder, name)
         )
     );
     shapes_.append(new shapeTemplate(shape));

@@ -138,7 +138,7 @@ TEST(shape, neckBetweenTwoNotchesIsThin)
             "-0.2,-0.1\n0,-" + half + "\n0.2,-0.1\n0.2,0.1\n0," + half
           + "\n-0.2,0.1\n"
         );
-        const scalar width = 2*readScalar(half);
+        const scalar width = 2*std::stod(half);
         EXPECT_NEAR(thickness(tie), width, 1e-3*width);
     }
 
