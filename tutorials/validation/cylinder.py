@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fixed disc in a channel (Schaefer and Turek 1996)."""
 
+import itertools
+import math
+
 from common import Case, Field, Row, disc, placed
 
 HEIGHT = 0.41
@@ -107,9 +110,10 @@ def shedding():
                       (f"DFG 2D-2, {what}", cells))
 
 
-def stream(name, cells, frame):
+def stream(name, cells, frame, part=1):
     """A disc of diameter 0.25 in a stream of speed 1 between walls that move
-    with it, at Re 40; seen from the disc (frame 0) or from the stream (1)."""
+    with it, at Re 40; seen from the disc (frame 0) or from the stream (1), with
+    a part of the time step."""
     speed = 1 - frame
     n = 4*cells
     return Case(
@@ -121,7 +125,7 @@ def stream(name, cells, frame):
                     f"velocity ({-frame or 1e-12} 0 0); }}"),
         placements=placed("disc", (1.5 + 2*frame, 0.5)),
         properties="output { objectsEvery 1; }",
-        deltaT=0.0125/cells, endTime=1.5, writeInterval=1.5)
+        deltaT=0.0125/cells/part, endTime=1.5, writeInterval=1.5)
 
 
 def translating():
@@ -141,5 +145,32 @@ def translating():
                   ("translating", cells))
 
 
+def noise(times, values):
+    """Root mean square and largest of what a series differs from a straight
+    line, over its mean."""
+    n = len(values)
+    time, mean = sum(times)/n, sum(values)/n
+    slope = (sum((t - time)*(x - mean) for t, x in zip(times, values))
+             / sum((t - time)**2 for t in times))
+    rest = [x - mean - slope*(t - time) for t, x in zip(times, values)]
+    return (math.sqrt(sum(x*x for x in rest)/n)/abs(mean),
+            max(map(abs, rest))/abs(mean))
+
+
+def moving_noise(sizes=(8, 16), parts=(1, 4)):
+    """Noise of the force on the disc that moves, t = 1 to 1.5, with parts of
+    the time step of translating()."""
+    for cells, part in itertools.product(sizes, parts):
+        case = stream(f"noise-{part}", cells, 1, part)
+        minutes = case.solve()
+        rows = [row for row in case.objects() if row["time"] > 1]
+        rms, peak = noise([row["time"] for row in rows],
+                          [row["forceX"] for row in rows])
+        for what, value in (("rms", rms), ("largest", peak)):
+            yield Row("disc that moves at Re 40, noise of the force over its "
+                      f"mean, {what}, dt/{part}", f"D/h = {cells}", None,
+                      value, None, minutes)
+
+
 CASES = {"cylinder20": steady, "cylinder100": shedding,
-         "translating": translating}
+         "translating": translating, "forceNoise": moving_noise}
