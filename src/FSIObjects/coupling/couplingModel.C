@@ -59,7 +59,7 @@ void Foam::fsi::couplingModel::constrain(groupNodal& v) const
     {
         system_.objects.groups()[groupi].constrain
         (
-            system_.deltaT(),
+            system_.stepTime(),
             v[groupi]
         );
     }

@@ -41,11 +41,14 @@ void Foam::fsi::noFluid::begin
 )
 {
     const Time& time = system_.grid.mesh().time();
-    const scalar dt = time.deltaTValue();
 
     predictShared
     (
-        system_.objects, time.value() - dt, dt, force, velocity_.change()
+        system_.objects,
+        time.value() - system_.deltaT(),
+        system_.stepTime(),
+        force,
+        velocity_.change()
     );
     constrain(velocity_);
     contact(velocity_);

@@ -75,12 +75,12 @@ void Foam::fsi::solidImplicit::predict
     groupNodal rest(load.size());
     forAll(rest, groupi)
     {
-        rest[groupi] =
-            system_.objects.groups()[groupi].splitLoad(load[groupi]);
+        bodyGroup& group = system_.objects.groups()[groupi];
+        rest[groupi] = group.splitLoad(load[groupi]);
         load[groupi] += force[groupi];
     }
     addRigidForce(system_, gradientForce_, load);
-    predictShared(system_.objects, time, system_.deltaT(), load, predicted_);
+    predictShared(system_.objects, time, system_.stepTime(), load, predicted_);
     addResponse(system_.objects, rest, predicted_);
     constrain(predicted_);
 }
@@ -197,8 +197,9 @@ void Foam::fsi::solidImplicit::correctVelocity
         }
     }
     const vectorField before(U.primitiveField());
-    viscous_.addResponse(source, U);
     change *= rAU;
+    const immersedFluid& f = system_.fluid;
+    viscous_.addResponse(source, f.responseGuess(change, system_.viscosity), U);
     passes_.measure(fluid, before, U.primitiveField(), change);
 }
 

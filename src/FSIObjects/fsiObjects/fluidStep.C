@@ -103,6 +103,7 @@ void Foam::fsi::fluidStep::pressure
 
 void Foam::fsi::fluidStep::advance(const flowSources& sources)
 {
+    objects_.system().fluid.rule().begin(U_, phi_);
     objects_.startStep(p_, U_);
     if (objects_.coupling().hasFluid())
     {
@@ -111,7 +112,6 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
             objects_.timer(),
             stepTimer::part::fluid
         );
-        objects_.system().fluid.rule().begin(U_, phi_);
         do
         {
             const tmp<volVectorField> tgradP(objects_.coupling().gradient(p_));

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiObjects.H"
-#include "fillFromNeighbours.H"
 #include "dictionaryCheck.H"
 #include "motionCheck.H"
+#include "newCells.H"
 #include "objectContact.H"
 #include "openfoamVersion.H"
 #include "restartFiles.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
+#include "secondOrderStep.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -115,35 +116,6 @@ Foam::fsi::fsiObjects::fsiObjects
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::fsiObjects::fillNewCells
-(
-    const boolList& wasActive,
-    volScalarField& p
-) const
-{
-    const boolList& active = system_.geometry.activeCell();
-    scalarField known(mesh_.nCells(), Zero);
-    DynamicList<label> cells;
-    forAll(wasActive, celli)
-    {
-        known[celli] = wasActive[celli] ? 1 : 0;
-        if (active[celli] && !wasActive[celli])
-        {
-            cells.append(celli);
-        }
-    }
-    fillFromNeighbours
-    (
-        mesh_,
-        nullptr,
-        cells,
-        known,
-        p.primitiveFieldRef()
-    );
-    p.correctBoundaryConditions();
-}
-
-
 void Foam::fsi::fsiObjects::checkMotion() const
 {
     const motionCheck check(system_.objects, mesh_.time());
@@ -152,12 +124,29 @@ void Foam::fsi::fsiObjects::checkMotion() const
 }
 
 
+void Foam::fsi::fsiObjects::updateWalls(volScalarField& p, volVectorField& U)
+{
+    {
+        const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
+        system_.levelSet->move(system_.surfaces(), system_.deltaT());
+    }
+    const stepTimer::section coupling(timer_, stepTimer::part::coupling);
+    if (coupling_->hasFluid())
+    {
+        const boolList wasActive(system_.geometry.activeCell());
+        system_.updateGeometry();
+        fillNewCells(wasActive, system_.geometry.activeCell(), p);
+        setSolidVelocity(U);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::fsiObjects::startStep
 (
-    const volScalarField& p,
-    const volVectorField& U
+    volScalarField& p,
+    volVectorField& U
 )
 {
     const stepTimer::section solids(timer_, stepTimer::part::solids);
@@ -173,6 +162,12 @@ void Foam::fsi::fsiObjects::startStep
         system_.driving->log(Info);
     }
 
+    if (system_.fluid.rule().secondOrder())
+    {
+        beginSecondOrder(system_, *coupling_);
+        updateWalls(p, U);
+    }
+
     fsiSystem::groupNodal force;
     system_.objects.layout().zero(force);
     system_.addBodyForce(force);
@@ -182,7 +177,7 @@ void Foam::fsi::fsiObjects::startStep
     }
     for (bodyGroup& group : system_.objects.groups())
     {
-        group.prepareResponse(system_.deltaT());
+        group.prepareResponse(system_.stepTime());
     }
     {
         const stepTimer::section contact(timer_, stepTimer::part::contact);
@@ -210,7 +205,7 @@ void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
         {
             system_.objects.groups()[groupi].move
             (
-                system_.deltaT(),
+                system_.stepTime(),
                 coupling_->velocity()[groupi]
             );
         }
@@ -221,18 +216,7 @@ void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
         const stepTimer::section contact(timer_, stepTimer::part::contact);
         system_.contacts->measure();
     }
-    {
-        const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
-        system_.levelSet->move(system_.surfaces(), system_.deltaT());
-    }
-    const stepTimer::section coupling(timer_, stepTimer::part::coupling);
-    if (coupling_->hasFluid())
-    {
-        const boolList wasActive(system_.geometry.activeCell());
-        system_.updateGeometry();
-        fillNewCells(wasActive, p);
-        setSolidVelocity(U);
-    }
+    updateWalls(p, U);
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "timeError.H"
+#include "openfoamMesh.H"
 #include "openfoamVersion.H"
 #include "sumOverRanks.H"
 #include "writtenDictionary.H"
@@ -22,6 +23,8 @@ Foam::fsi::timeError::timeError(const fvMesh& mesh)
         mesh,
         dimensionedVector(dimAcceleration, Zero)
     ),
+    nKnown_(0),
+    before_(0),
     scale_(0),
     ofTime_(0),
     ofSplitting_(0),
@@ -30,13 +33,77 @@ Foam::fsi::timeError::timeError(const fvMesh& mesh)
     nAbove_(0),
     nRunning_(0)
 {
+    if (ddtSchemeOf(mesh, "ddt(U)") == "backward")
+    {
+        curvature_.reset
+        (
+            new volVectorField
+            (
+                IOobject
+                (
+                    "velocityCurvature",
+                    nameOf(mesh.time()),
+                    mesh,
+                    IOobject::READ_IF_PRESENT,
+                    IOobject::AUTO_WRITE
+                ),
+                mesh,
+                dimensionedVector(dimAcceleration/dimTime, Zero)
+            )
+        );
+    }
     const dictionary state(readState(mesh.time(), "fsiTimeError"));
     if (!state.empty())
     {
         scale_ = getEntry<scalar>(state, "scale");
         ofTime_ = getEntry<scalar>(state, "ofTime");
         ofSplitting_ = getEntry<scalar>(state, "ofSplitting");
+        state.readIfPresent("known", nKnown_);
+        state.readIfPresent("before", before_);
     }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::timeError::sumSquares
+(
+    const volVectorField& U,
+    const boolList& fluid
+)
+{
+    const scalar deltaT = U.time().deltaTValue();
+    const scalar deltaT0 = U.time().deltaT0Value();
+    const vectorField& last = U.oldTime().primitiveField();
+    scalar squares = 0;
+    forAll(U, celli)
+    {
+        const vector rate((U[celli] - last[celli])/deltaT);
+        vector change(rate - rate_[celli]);
+        rate_[celli] = rate;
+        if (curvature_.valid())
+        {
+            vector& curvature = curvature_()[celli];
+            const vector now(2/(deltaT + deltaT0)*change);
+            change = nKnown_ < 2 ? change : now - curvature;
+            curvature = now;
+        }
+        squares += fluid[celli] ? magSqr(change) : 0;
+    }
+    return squares;
+}
+
+
+Foam::scalar Foam::fsi::timeError::factor() const
+{
+    const scalar dt = rate_.time().deltaTValue();
+    const scalar dt0 = rate_.time().deltaT0Value();
+    if (!curvature_.valid() || nKnown_ < 2)
+    {
+        return sqr(dt)/(dt + dt0);
+    }
+    const scalar tau = dt*(dt + dt0)/(2*dt + dt0);
+    return 0.5*tau*dt*(dt + dt0)/(dt + dt0 + before_);
 }
 
 
@@ -49,30 +116,26 @@ void Foam::fsi::timeError::measure
     const scalar ofSplitting
 )
 {
-    const scalar deltaT = U.time().deltaTValue();
-    const scalar deltaT0 = U.time().deltaT0Value();
-    const vectorField& last = U.oldTime().primitiveField();
     scalarList sums(3, Zero);
     forAll(U, celli)
     {
-        const vector rate((U[celli] - last[celli])/deltaT);
         if (fluid[celli])
         {
-            sums[0] += magSqr(rate - rate_[celli]);
             sums[1] += magSqr(U[celli]);
             sums[2] += 1;
         }
-        rate_[celli] = rate;
     }
+    sums[0] = sumSquares(U, fluid);
     sumOverRanks(sums);
     const bool first = scale_ == 0;
     scale_ = max(0.99*scale_, sqrt(sums[1]/max(sums[2], 1.0)));
     ofTime_ =
         first
       ? 0
-      : sqr(deltaT)/(deltaT + deltaT0)*sqrt(sums[0]/max(sums[2], 1.0))
-       /max(scale_, VSMALL);
+      : factor()*sqrt(sums[0]/max(sums[2], 1.0))/max(scale_, VSMALL);
     ofSplitting_ = ofSplitting;
+    nKnown_ = min(nKnown_ + 1, 2);
+    before_ = rate_.time().deltaT0Value();
 
     ++nSteps_;
     mean_ += (value() - mean_)/min(nSteps_, meanSteps);
@@ -104,6 +167,11 @@ void Foam::fsi::timeError::write() const
             putEntry(os, "scale", scale_);
             putEntry(os, "ofTime", ofTime_);
             putEntry(os, "ofSplitting", ofSplitting_);
+            if (curvature_.valid())
+            {
+                putEntry(os, "known", nKnown_);
+                putEntry(os, "before", before_);
+            }
         }
     );
 }

@@ -154,7 +154,12 @@ Foam::scalar Foam::fsi::timeStep::limit
     const scalar error = objects.error().value();
     if (maxTimeError_ > 0 && error > 0)
     {
-        limit = min(limit, dt*max(sqrt(maxTimeError_/error), 0.5));
+        const scalar part = maxTimeError_/error;
+        limit = min
+        (
+            limit,
+            dt*max(objects.error().order() == 1 ? sqrt(part) : cbrt(part), 0.5)
+        );
     }
     return limit;
 }

@@ -41,6 +41,7 @@ Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
 
 void Foam::fsi::immersedFlux::fadeGradient
 (
+    const volVectorField& U,
     const volVectorField& gradient,
     const volScalarField& p,
     const scalar viscosity,
@@ -52,8 +53,18 @@ void Foam::fsi::immersedFlux::fadeGradient
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar h = grid.spacing();
     const scalar deltaT = rule_.step();
-    const scalar fading = deltaT*viscosity*4/sqr(h);
-    const scalar lost = grid.faceArea()*deltaT*fading/(1 + fading);
+    const scalarField fading
+    (
+        rule_.secondOrder()
+      ? fadingInStep(U, viscosity)
+      : scalarField(U.size(), deltaT*viscosity*4/sqr(h))
+    );
+    scalarField across;
+    swapCoupledCells(p.mesh(), fading, across);
+    const auto lost = [&](const scalar f)
+    {
+        return grid.faceArea()*deltaT*f/(1 + f);
+    };
 
     const labelUList& own = p.mesh().owner();
     const labelUList& nei = p.mesh().neighbour();
@@ -62,20 +73,29 @@ void Foam::fsi::immersedFlux::fadeGradient
         const scalar difference =
             faces_.mean(gradient, own, nei, facei)
           - (p[nei[facei]] - p[own[facei]])/h;
-        flux[facei] -= lost*open[facei]*fluidFace[facei]*difference;
+        flux[facei] -=
+            lost(0.5*(fading[own[facei]] + fading[nei[facei]]))
+           *open[facei]*fluidFace[facei]*difference;
     }
     forAll(p.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
         if (pp.coupled())
         {
-            flux.boundaryFieldRef()[patchi] -=
-                lost*open.boundaryField()[patchi]
-               *fluidFace.boundaryField()[patchi]
-               *(
-                    faceVelocities::patchMean(gradient, patchi)
-                  - pp.snGrad(pp.patch().deltaCoeffs())
-                );
+            const scalarField difference
+            (
+                faceVelocities::patchMean(gradient, patchi)
+              - pp.snGrad(pp.patch().deltaCoeffs())
+            );
+            const labelUList& cells = pp.patch().faceCells();
+            const label first = pp.patch().start() - p.mesh().nInternalFaces();
+            forAll(difference, i)
+            {
+                flux.boundaryFieldRef()[patchi][i] -=
+                    lost(0.5*(fading[cells[i]] + across[first + i]))
+                   *open.boundaryField()[patchi][i]
+                   *fluidFace.boundaryField()[patchi][i]*difference[i];
+            }
         }
     }
 }
@@ -178,7 +198,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     }
     if (history_ == history::fading)
     {
-        fadeGradient(gradient, p, viscosity, flux);
+        fadeGradient(U, gradient, p, viscosity, flux);
     }
     return tflux;
 }
@@ -203,6 +223,14 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
     scalarField across;
     swapCoupledCells(U.mesh(), fading, across);
 
+    // What a cut face adds does not fade in its step: it hardly may later on,
+    // or the result depends on the step by first order
+    const scalar ofCut = rule_.secondOrder() ? cutFading : 1;
+    const auto fadingOf = [&](const scalar fluidFace, const scalar value)
+    {
+        return fluidFace < 0.5 ? ofCut*value : value;
+    };
+
     const labelUList& own = U.mesh().owner();
     const labelUList& nei = U.mesh().neighbour();
     forAll(open, facei)
@@ -213,7 +241,11 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
             (
                 phi[facei]/(open[facei]*area),
                 interpolated[facei],
-                0.5*(fading[own[facei]] + fading[nei[facei]])
+                fadingOf
+                (
+                    geometry_.fluidFace()[facei],
+                    0.5*(fading[own[facei]] + fading[nei[facei]])
+                )
             )
           : 0;
     }
@@ -231,7 +263,11 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
                 (
                     phi.boundaryField()[patchi][i]/(po[i]*area),
                     interpolated.boundaryField()[patchi][i],
-                    0.5*(fading[cells[i]] + across[first + i])
+                    fadingOf
+                    (
+                        geometry_.fluidFace().boundaryField()[patchi][i],
+                        0.5*(fading[cells[i]] + across[first + i])
+                    )
                 )
               : 0;
         }

@@ -9,6 +9,7 @@ Foam::fsi::timeRule::timeRule(const fvMesh& mesh)
 :
     mesh_(mesh),
     backward_(ddtSchemeOf(mesh, "ddt(U)") == "backward"),
+    begun_(false),
     ratio_(0),
     firstPass_(true)
 {}
@@ -22,6 +23,7 @@ void Foam::fsi::timeRule::begin
     const surfaceScalarField& phi
 )
 {
+    begun_ = true;
     firstPass_ = true;
     ratio_ = 0;
     if (!backward_)

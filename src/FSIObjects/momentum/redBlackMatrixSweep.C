@@ -99,6 +99,29 @@ Foam::scalar Foam::fsi::redBlackMatrix::startFromZero
 }
 
 
+Foam::scalar Foam::fsi::redBlackMatrix::startFrom
+(
+    const vectorField& source,
+    const vectorField& guess
+)
+{
+    const labelUList& rowOf = order_.rowOf();
+    forAll(rowOf, celli)
+    {
+        const label place = nDims_*rowOf[celli];
+        for (label d = 0; d < nDims_; ++d)
+        {
+            source_[place + d] = source[celli][d];
+            x_[place + d] = guess[celli][d];
+        }
+    }
+    correction_ = 0;
+    const scalar norm = sourceNorm();
+    startCorrection(norm + VSMALL);
+    return norm;
+}
+
+
 Foam::scalar Foam::fsi::redBlackMatrix::sweep(const scalar relaxation)
 {
     scalar squares = relax(true, relaxation);

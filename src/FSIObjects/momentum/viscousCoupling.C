@@ -74,7 +74,7 @@ void Foam::fsi::viscousCoupling::updateResponses
         }
         responses_[groupi]->update
         (
-            system_.deltaT(),
+            system_.stepTime(),
             copyLinks_.data() + objects.objectIndex(groupi, 0),
             resisting[groupi],
             predicted[groupi]

@@ -176,6 +176,7 @@ void Foam::fsi::viscousCoupling::solve
 void Foam::fsi::viscousCoupling::addResponse
 (
     const vectorField& source,
+    const vectorField& guess,
     volVectorField& U
 )
 {
@@ -185,9 +186,16 @@ void Foam::fsi::viscousCoupling::addResponse
         readPositive(controls, "responseTolerance", 0.05);
 
     // A sweep tells the residual before it; the next one falls as fast
-    const scalar norm = matrix_.startFromZero(source) + VSMALL;
-    scalar before = 1;
-    for (label nSweeps = 1; nSweeps < maxIter; ++nSweeps)
+    const bool fromZero = guess.empty();
+    const scalar norm =
+        VSMALL
+      + (
+            fromZero
+          ? matrix_.startFromZero(source)
+          : matrix_.startFrom(source, guess)
+        );
+    scalar before = fromZero ? 1 : 0;
+    for (label nSweeps = fromZero ? 1 : 0; nSweeps < maxIter; ++nSweeps)
     {
         if (matrix_.exhausted())
         {

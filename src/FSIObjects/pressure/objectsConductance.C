@@ -45,7 +45,7 @@ Foam::scalarField Foam::fsi::objectsConductance::interiorFactor() const
         const scalar S = system_.objects.surfaces().surfaceArea(objecti);
         const scalar P = grid.nDims() == 2 ? S : std::sqrt(pi*S);
         const scalar reach =
-            system_.deltaT()*std::sqrt(shape.youngsModulus()/shape.density());
+            system_.stepTime()*std::sqrt(shape.youngsModulus()/shape.density());
         factor[objecti] =
             max(0.56*P*h/sqr(reach + h), 1.0)
            *min(system_.fluidDensity/shape.density(), 1.0);
@@ -62,7 +62,7 @@ void Foam::fsi::objectsConductance::setInterior
 {
     const cartesianMesh& grid = system_.grid;
     const scalar face =
-        system_.deltaT()*grid.faceArea()/grid.spacing();
+        system_.stepTime()*grid.faceArea()/grid.spacing();
     const scalarField factor(interiorFactor());
     grid.forFaces([&](const label facei)
     {

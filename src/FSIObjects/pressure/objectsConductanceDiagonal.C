@@ -10,7 +10,7 @@ void Foam::fsi::objectsConductance::rowSums(scalarField& d) const
     fsiSystem::groupNodal force;
     system_.objects.layout().toBoundary(uniform, force);
 
-    const scalar dt = system_.deltaT();
+    const scalar dt = system_.stepTime();
     forAll(force, groupi)
     {
         Eigen::MatrixXd v;
@@ -28,7 +28,7 @@ void Foam::fsi::objectsConductance::rowSums(scalarField& d) const
 
 void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
 {
-    const scalar dt = system_.deltaT();
+    const scalar dt = system_.stepTime();
     const surfaceSet& surfaces = system_.objects.surfaces();
 
     // dt rho/A_ii per surface node and component

@@ -44,7 +44,7 @@ void Foam::fsi::objectContact::findAxis()
             new medialAxis(contact_.range(), system_.grid.spacing())
         );
     }
-    axis_->update(system_.objects.surfaces(), system_.grid.cells(1));
+    axis_->update(surfaces(), system_.grid.cells(1));
 
     pointField myPositions;
     scalarList myDistances;
@@ -81,7 +81,7 @@ void Foam::fsi::objectContact::prepareSearch()
     if
     (
         contact_.needsMedialAxis()
-     && !contact_.searched(system_.objects.surfaces())
+     && !contact_.searched(surfaces())
     )
     {
         findAxis();
@@ -92,7 +92,7 @@ void Foam::fsi::objectContact::prepareSearch()
 void Foam::fsi::objectContact::setNodes()
 {
     const population& objects = system_.objects;
-    bodies_.reset(objects.surfaces());
+    bodies_.reset(surfaces());
 
     groups_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)
@@ -104,7 +104,7 @@ void Foam::fsi::objectContact::setNodes()
         }
         groups_[groupi]->setNodes
         (
-            objects.surfaces(), objectsOf(groupi), bodies_
+            surfaces(), objectsOf(groupi), bodies_
         );
     }
 }
@@ -151,28 +151,11 @@ void Foam::fsi::objectContact::setBodies()
     {
         groups_[groupi]->setResponse
         (
-            system_.objects.surfaces(),
+            surfaces(),
             objectsOf(groupi),
             contact_.needsInternalForces(),
             bodies_
         );
-    }
-}
-
-
-void Foam::fsi::objectContact::respond(nodeVelocities& v) const
-{
-    fsiSystem::groupNodal force;
-    system_.objects.layout().toGroups(force_, force);
-    fsiSystem::groupNodal& velocities = v.change();
-    forAll(velocities, groupi)
-    {
-        Eigen::MatrixXd change;
-        system_.objects.groups()[groupi].response().respond
-        (
-            force[groupi], change
-        );
-        velocities[groupi] += change;
     }
 }
 
@@ -210,13 +193,14 @@ void Foam::fsi::objectContact::calculate(const vectorField& velocities)
     prepareSearch();
     contact_.calculate
     (
-        system_.objects.surfaces(),
+        surfaces(),
         velocities,
         bodies_,
         walls_,
         axisPoints_,
-        system_.deltaT(),
-        force_
+        system_.stepTime(),
+        force_,
+        1 - system_.stepTime()/system_.deltaT()
     );
     keepRanges();
 }
@@ -224,24 +208,15 @@ void Foam::fsi::objectContact::calculate(const vectorField& velocities)
 
 void Foam::fsi::objectContact::measure()
 {
+    start_.clear();
     setNodes();
     setRanges();
     prepareSearch();
     contact_.measure
     (
-        system_.objects.surfaces(), bodies_, walls_, axisPoints_
+        surfaces(), bodies_, walls_, axisPoints_
     );
     keepRanges();
-}
-
-
-void Foam::fsi::objectContact::push(nodeVelocities& v)
-{
-    if (!explicitForces())
-    {
-        calculate(v.surface());
-        respond(v);
-    }
 }
 
 
@@ -249,7 +224,7 @@ void Foam::fsi::objectContact::addForce(fsiSystem::groupNodal& force)
 {
     if (explicitForces())
     {
-        calculate(system_.objects.surfaces().velocities());
+        calculate(surfaces().velocities());
         fsiSystem::groupNodal contactForce;
         system_.objects.layout().toGroups(force_, contactForce);
         forAll(force, groupi)
@@ -272,24 +247,6 @@ void Foam::fsi::objectContact::write() const
             putEntry(os, "ranges", shortRanges_);
         }
     );
-}
-
-
-void Foam::fsi::objectContact::limit(nodeVelocities& v)
-{
-    nLimited_ = contact_.limit
-    (
-        system_.objects.surfaces(),
-        v.surface(),
-        bodies_,
-        walls_,
-        system_.deltaT(),
-        force_
-    );
-    if (nLimited_ > 0)
-    {
-        respond(v);
-    }
 }
 
 

@@ -13,9 +13,7 @@
 
 void Foam::fsi::bodyGroup::resize(const label nCopies)
 {
-    const label nColumns = shape_.nDims()*nCopies;
-    positions_.conservativeResize(shape_.nNodes(), nColumns);
-    velocities_.conservativeResize(shape_.nNodes(), nColumns);
+    resizeNodes(shape_.nNodes(), shape_.nDims()*nCopies);
     objectIds_.resize(nCopies, -1);
     resizeState(nCopies);
 }
@@ -25,10 +23,10 @@ void Foam::fsi::bodyGroup::resize(const label nCopies)
 
 Foam::fsi::bodyGroup::bodyGroup(const shapeTemplate& shape)
 :
-    shape_(shape),
-    positions_(shape.nNodes(), 0),
-    velocities_(shape.nNodes(), 0)
-{}
+    shape_(shape)
+{
+    resizeNodes(shape.nNodes(), 0);
+}
 
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
@@ -90,10 +88,11 @@ Foam::label Foam::fsi::bodyGroup::append
         const vector nodeVelocity = velocity + (angularVelocity ^ arm);
         for (label i = 0; i < nDims; ++i)
         {
-            positions_(nodei, nDims*copyi + i) = centre[i] + arm[i];
-            velocities_(nodei, nDims*copyi + i) = nodeVelocity[i];
+            positions()(nodei, nDims*copyi + i) = centre[i] + arm[i];
+            velocities()(nodei, nDims*copyi + i) = nodeVelocity[i];
         }
     }
+    startNodes(nDims*copyi, nDims);
     return copyi;
 }
 
@@ -102,8 +101,8 @@ void Foam::fsi::bodyGroup::remove(const label copyi)
 {
     for (label next = copyi + 1; next < size(); ++next)
     {
-        ofCopy(positions_, next - 1) = ofCopy(positions_, next);
-        ofCopy(velocities_, next - 1) = ofCopy(velocities_, next);
+        const label n = shape_.nDims();
+        copyNodes(n*next, n*(next - 1), n);
         objectIds_[next - 1] = objectIds_[next];
         copyState(next, next - 1);
     }
@@ -127,8 +126,7 @@ void Foam::fsi::bodyGroup::predictRange
 
 void Foam::fsi::bodyGroup::move(const scalar dt, const Eigen::MatrixXd& v)
 {
-    positions_ += dt*v;
-    velocities_ = v;
+    finishNodes(dt, v);
 }
 
 
@@ -138,8 +136,7 @@ void Foam::fsi::bodyGroup::write(Ostream& os) const
 
     putEntry(os, "shape", shape_.name());
     putList(os, "objectIds", objectIds_);
-    writeMatrix(os, "positions", positions_);
-    writeMatrix(os, "velocities", velocities_);
+    writeNodes(os);
     writeState(os);
 
     os.precision(oldPrecision);
@@ -151,8 +148,7 @@ void Foam::fsi::bodyGroup::read(const dictionary& dict)
     const labelList ids(readGroupIds(dict, shape_.name()));
     resize(ids.size());
     objectIds_ = ids;
-    readMatrix(dict, "positions", positions_);
-    readMatrix(dict, "velocities", velocities_);
+    readNodes(dict);
     readState(dict);
 }
 

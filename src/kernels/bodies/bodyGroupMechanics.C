@@ -55,7 +55,7 @@ Foam::vector Foam::fsi::bodyGroup::massAverage
 
 void Foam::fsi::bodyGroup::internalForce(Eigen::MatrixXd& force) const
 {
-    force.setZero(positions_.rows(), positions_.cols());
+    force.setZero(positions().rows(), positions().cols());
 }
 
 
@@ -66,25 +66,25 @@ Foam::scalar Foam::fsi::bodyGroup::kineticEnergy() const
         shape_.nodeMasses().cdata(),
         shape_.nNodes()
     );
-    return 0.5*masses.dot(velocities_.rowwise().squaredNorm());
+    return 0.5*masses.dot(velocities().rowwise().squaredNorm());
 }
 
 
 Foam::scalar Foam::fsi::bodyGroup::volume(const label copyi) const
 {
-    return bodyVolume::of(shape_.faces(), ofCopy(positions_, copyi));
+    return bodyVolume::of(shape_.faces(), ofCopy(positions(), copyi));
 }
 
 
 Foam::point Foam::fsi::bodyGroup::centroid(const label copyi) const
 {
-    return massAverage(positions_, copyi);
+    return massAverage(positions(), copyi);
 }
 
 
 Foam::vector Foam::fsi::bodyGroup::velocity(const label copyi) const
 {
-    return massAverage(velocities_, copyi);
+    return massAverage(velocities(), copyi);
 }
 
 
@@ -101,10 +101,10 @@ Foam::vector Foam::fsi::bodyGroup::angularMomentum(const label copyi) const
     vector sum(Zero);
     forAll(shape_.nodeMasses(), nodei)
     {
-        const vector arm(valueAt(positions_, nDims, nodei, copyi) - centre);
+        const vector arm(valueAt(positions(), nDims, nodei, copyi) - centre);
         sum +=
             shape_.nodeMasses()[nodei]
-           *(arm ^ valueAt(velocities_, nDims, nodei, copyi));
+           *(arm ^ valueAt(velocities(), nDims, nodei, copyi));
     }
     return sum;
 }
@@ -117,7 +117,7 @@ Foam::vector Foam::fsi::bodyGroup::angularVelocity(const label copyi) const
     symmTensor inertia(Zero);
     forAll(shape_.nodeMasses(), nodei)
     {
-        const vector arm(valueAt(positions_, nDims, nodei, copyi) - centre);
+        const vector arm(valueAt(positions(), nDims, nodei, copyi) - centre);
         inertia +=
             shape_.nodeMasses()[nodei]*(magSqr(arm)*symmTensor::I - sqr(arm));
     }

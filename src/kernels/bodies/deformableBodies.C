@@ -129,13 +129,39 @@ Foam::fsi::deformableBodies::deformableBodies(const shapeTemplate& shape)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::fsi::deformableBodies::begin
+(
+    const scalar time,
+    const scalar dt,
+    const scalar ratio
+)
+{
+    const springLaw& law = shape().law();
+    if
+    (
+        shape().viscosity() > 0
+     || law.hasState()
+     || law.stiffnessRatio(dt) != 1
+    )
+    {
+        FatalErrorInFunction
+            << "Shape " << shape().name() << " has a viscosity (springs "
+            << law.type() << "), whose rule is of first order in time: with it"
+            << " ddtSchemes must be Euler. Of second order are the materials"
+            << " rigid, membrane, and Hookean and neoHookean without viscosity"
+            << exit(FatalError);
+    }
+    bodyGroup::begin(time, dt, ratio);
+}
+
+
 void Foam::fsi::deformableBodies::constrain
 (
     const scalar dt,
     Eigen::MatrixXd& v
 ) const
 {
-    response_.constrainVolume(dt, v);
+    response_.constrainVolume(dt, start(), v);
 }
 
 

@@ -103,6 +103,7 @@ Foam::fsi::deformableResponse::deformableResponse(const shapeTemplate& shape)
 void Foam::fsi::deformableResponse::constrainVolume
 (
     const scalar dt,
+    const Eigen::MatrixXd& start,
     Eigen::MatrixXd& v
 ) const
 {
@@ -115,7 +116,7 @@ void Foam::fsi::deformableResponse::constrainVolume
         const auto mode =
             modes_.back().values.middleCols(nDims*copyi, nDims);
         end =
-            positions().middleCols(nDims*copyi, nDims).topRows(nB)
+            start.middleCols(nDims*copyi, nDims).topRows(nB)
           + dt*v.middleCols(nDims*copyi, nDims).topRows(nB);
 
         // From the velocity as it is

@@ -127,7 +127,10 @@ void Foam::fsi::elasticBodies::predictRange
     solver_.solve
     (
         dt,
-        {positions(), velocities(), viscous ? total : force, springStates()},
+        {
+            start(), startVelocities(), viscous ? total : force,
+            springStates(), secondOrder()
+        },
         copies,
         v
     );

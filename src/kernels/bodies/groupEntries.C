@@ -22,7 +22,8 @@ Foam::labelList Foam::fsi::readGroupIds
         dict,
         {
             "FoamFile", "motion", "shape", "objectIds", "positions",
-            "velocities", "meanLoad", "linkLoad", "springStates", "triangles"
+            "velocities", "lastMean", "lastVelocities", "meanLoad",
+            "linkLoad", "springStates", "triangles"
         }
     );
     const word name(getEntry<word>(dict, "shape"));

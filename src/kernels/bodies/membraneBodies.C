@@ -73,6 +73,31 @@ static void readTriangles
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::membraneBodies::addInnerFriction(Eigen::MatrixXd& force) const
+{
+    const scalar viscosity =
+        shape().membrane()->innerViscosity*shape().thickness();
+    const label n = shape().nNodes();
+    std::vector<Eigen::Triplet<double>> entries;
+    forAll(triangles_, copyi)
+    {
+        entries.clear();
+        innerFlow::addViscosity
+        (
+            triangles_[copyi], ofCopy(positions(), copyi), viscosity, 1, entries
+        );
+        const auto v = ofCopy(velocities(), copyi);
+        auto f = ofCopy(force, copyi);
+        for (const Eigen::Triplet<double>& e : entries)
+        {
+            f(e.row() % n, e.row()/n) -= e.value()*v(e.col() % n, e.col()/n);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
 Foam::scalar Foam::fsi::membraneBodies::addTerms
@@ -156,8 +181,18 @@ void Foam::fsi::membraneBodies::predict
     Eigen::MatrixXd total;
     internalForce(total);
     total += force;
-    total += masses.asDiagonal()*velocities()/dt;
+    if (!secondOrder())
+    {
+        total += masses.asDiagonal()*velocities()/dt;
+        response_.respondFreely(total, v);
+        return;
+    }
+
+    // Linear about v*, with which nodes come to x*
+    total += masses.asDiagonal()*(startVelocities() - velocities())/dt;
+    addInnerFriction(total);
     response_.respondFreely(total, v);
+    v += velocities();
 }
 
 

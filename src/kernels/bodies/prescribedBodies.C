@@ -16,14 +16,13 @@ Foam::fsi::prescribedBodies::prescribedBodies
 {}
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::prescribedBodies::predict
+void Foam::fsi::prescribedBodies::displacement
 (
     const scalar time,
     const scalar dt,
-    const Eigen::MatrixXd&,
-    Eigen::MatrixXd& v
+    Eigen::MatrixXd& d
 ) const
 {
     const vector shift =
@@ -35,7 +34,7 @@ void Foam::fsi::prescribedBodies::predict
     const scalar versine = 2*sqr(std::sin(0.5*angle));
 
     const label nDims = shape().nDims();
-    v.resize(positions().rows(), positions().cols());
+    d.resize(positions().rows(), positions().cols());
     for (label copyi = 0; copyi < size(); ++copyi)
     {
         const auto x = ofCopy(positions(), copyi);
@@ -51,9 +50,47 @@ void Foam::fsi::prescribedBodies::predict
             const vector move(shift + versine*(axis ^ across) + sine*across);
             for (label i = 0; i < nDims; ++i)
             {
-                v(nodei, nDims*copyi + i) = move[i]/dt;
+                d(nodei, nDims*copyi + i) = move[i];
             }
         }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::prescribedBodies::begin
+(
+    const scalar time,
+    const scalar dt,
+    const scalar ratio
+)
+{
+    Eigen::MatrixXd d;
+    displacement(time - dt, dt, d);
+    bodyGroup::begin(time, dt, ratio);
+    positions() = oldPositions() + d;
+    velocities() = (positions() - start())*((1 + 2*ratio)/(dt*(1 + ratio)));
+}
+
+
+void Foam::fsi::prescribedBodies::predict
+(
+    const scalar time,
+    const scalar dt,
+    const Eigen::MatrixXd&,
+    Eigen::MatrixXd& v
+) const
+{
+    if (secondOrder())
+    {
+        v = velocities();
+        return;
+    }
+    displacement(time, dt, v);
+    for (Eigen::Index i = 0; i < v.size(); ++i)
+    {
+        v.data()[i] /= dt;
     }
 }
 

@@ -3,6 +3,23 @@
 #include "rigidBodies.H"
 #include "rigidTurn.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Axial vector of S - S^T: sum m a x b of the moments of a and b
+Eigen::Vector3d axial(const Eigen::Matrix3d& S)
+{
+    return Eigen::Vector3d
+    (
+        S(1, 2) - S(2, 1), S(2, 0) - S(0, 2), S(0, 1) - S(1, 0)
+    );
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Eigen::MatrixXd Foam::fsi::rigidBodies::lessMean
@@ -34,6 +51,36 @@ Eigen::Matrix3d Foam::fsi::rigidBodies::moments
     Eigen::Matrix3d sums(Eigen::Matrix3d::Zero());
     sums.topLeftCorner(nDims, nDims) = a.transpose()*masses_.asDiagonal()*b;
     return sums;
+}
+
+
+Eigen::Vector3d Foam::fsi::rigidBodies::angularVelocityOf
+(
+    const Eigen::Vector3d& momentum,
+    const Eigen::MatrixXd& arms
+) const
+{
+    const Eigen::Matrix3d S(moments(arms, arms));
+    return
+        (S.trace()*Eigen::Matrix3d::Identity() - S).llt().solve(momentum);
+}
+
+
+Eigen::MatrixXd Foam::fsi::rigidBodies::rigidField
+(
+    const Eigen::RowVectorXd& mean,
+    const Eigen::Vector3d& momentum,
+    const Eigen::MatrixXd& arms
+) const
+{
+    // omega x r, row by row
+    const Eigen::Vector3d w(angularVelocityOf(momentum, arms));
+    Eigen::Matrix3d cross;
+    cross << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+    const label nDims = shape().nDims();
+    Eigen::MatrixXd v(arms*cross.topLeftCorner(nDims, nDims).transpose());
+    v.rowwise() += mean;
+    return v;
 }
 
 
@@ -77,7 +124,90 @@ void Foam::fsi::rigidBodies::predict
     {
         response_.prepare(dt, positions());
     }
-    response_.respond(masses_.asDiagonal()*velocities()/dt + force, v);
+    response_.respond
+    (
+        masses_.asDiagonal()*startVelocities()/dt + force, v
+    );
+}
+
+
+void Foam::fsi::rigidBodies::begin
+(
+    const scalar time,
+    const scalar dt,
+    const scalar ratio
+)
+{
+    bodyGroup::begin(time, dt, ratio);
+    const Eigen::MatrixXd lastPoints(lastPositions());
+    const label nDims = shape().nDims();
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        // Each angular momentum with the arms it belongs to
+        const Eigen::MatrixXd r(lessMean(ofCopy(oldPositions(), copyi)));
+        const Eigen::MatrixXd before(lessMean(ofCopy(lastPoints, copyi)));
+        const Eigen::Vector3d L
+        (
+            axial(moments(r, ofCopy(oldVelocities(), copyi)))
+        );
+        const Eigen::Vector3d lastL
+        (
+            axial(moments(before, ofCopy(lastVelocities(), copyi)))
+        );
+        const Eigen::Vector3d omega(angularVelocityOf(L, r));
+        const Eigen::Vector3d change
+        (
+            ratio*(omega - angularVelocityOf(lastL, before))
+        );
+        const Eigen::Matrix3d turn
+        (
+            exponentialLess1(dt*(omega + 0.5*change))
+        );
+        const Eigen::MatrixXd arms
+        (
+            r + r*turn.topLeftCorner(nDims, nDims).transpose()
+        );
+
+        // The centre is where the rule for nodes has put it
+        ofCopy(positions(), copyi) =
+            arms.rowwise() + mean(ofCopy(positions(), copyi));
+        ofCopy(velocities(), copyi) = rigidField
+        (
+            mean(ofCopy(velocities(), copyi)), L + ratio*(L - lastL), arms
+        );
+        setStartVelocities
+        (
+            nDims*copyi,
+            rigidField
+            (
+                mean(ofCopy(startVelocities(), copyi)),
+                L + sqr(ratio)/(1 + 2*ratio)*(L - lastL),
+                arms
+            )
+        );
+    }
+}
+
+
+void Foam::fsi::rigidBodies::move(const scalar dt, const Eigen::MatrixXd& v)
+{
+    if (!secondOrder())
+    {
+        bodyGroup::move(dt, v);
+        return;
+    }
+    const Eigen::MatrixXd expected(positions());
+    bodyGroup::move(dt, v);
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        const Eigen::MatrixXd velocity(ofCopy(v, copyi));
+        ofCopy(velocities(), copyi) = rigidField
+        (
+            mean(velocity),
+            axial(moments(lessMean(ofCopy(expected, copyi)), velocity)),
+            lessMean(ofCopy(positions(), copyi))
+        );
+    }
 }
 
 
@@ -103,12 +233,16 @@ void Foam::fsi::rigidBodies::constrain
             masses_.transpose()*velocity/masses_.sum()
         );
 
-        const Eigen::Matrix3d spin(dt*moments(r, velocity));
+        // Where a step of second order starts from, less r
+        const Eigen::MatrixXd before
+        (
+            secondOrder()
+          ? (lessMean(ofCopy(start(), copyi)) - r).eval()
+          : Eigen::MatrixXd::Zero(r.rows(), r.cols()).eval()
+        );
         const Eigen::Vector3d momentum
         (
-            spin(1, 2) - spin(2, 1),
-            spin(2, 0) - spin(0, 2),
-            spin(0, 1) - spin(1, 0)
+            axial(dt*moments(r, velocity) + moments(r, before))
         );
         Eigen::Matrix3d turn;
         if (!rigidTurn(moments(r, r), momentum, turn))
@@ -139,6 +273,7 @@ void Foam::fsi::rigidBodies::constrain
         velocity =
             (
                 r*turn.topLeftCorner(nDims, nDims).transpose() + roundOff
+              - before
             )/dt;
         velocity.rowwise() += drift;
     }

@@ -9,24 +9,11 @@ namespace
 {
 
 //- a x as a matrix
-Eigen::Matrix3d cross(const Eigen::Vector3d& a)
+Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& a)
 {
     Eigen::Matrix3d m;
     m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
     return m;
-}
-
-
-//- exp(w x) - 1 (Rodrigues), exact for small angles as well
-Eigen::Matrix3d exponentialLess1(const Eigen::Vector3d& w)
-{
-    const double angle = w.norm();
-    const double half = 0.5*angle;
-    const bool small = angle < 1e-4;
-    const double sine = small ? 1 - angle*angle/6 : std::sin(angle)/angle;
-    const double ratio = small ? 1 - half*half/6 : std::sin(half)/half;
-    const Eigen::Matrix3d K(cross(w));
-    return sine*K + 0.5*ratio*ratio*K*K;
 }
 
 
@@ -47,6 +34,18 @@ Eigen::Vector3d changeBy(const Eigen::Vector3d& w, const Eigen::Vector3d& turn)
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Eigen::Matrix3d Foam::fsi::exponentialLess1(const Eigen::Vector3d& w)
+{
+    const double angle = w.norm();
+    const double half = 0.5*angle;
+    const bool small = angle < 1e-4;
+    const double sine = small ? 1 - angle*angle/6 : std::sin(angle)/angle;
+    const double ratio = small ? 1 - half*half/6 : std::sin(half)/half;
+    const Eigen::Matrix3d K(crossMatrix(w));
+    return sine*K + 0.5*ratio*ratio*K*K;
+}
+
 
 bool Foam::fsi::rigidTurn
 (

@@ -109,7 +109,7 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
     const scalar dt
 ) const
 {
-    return {surfaces, velocities, bodies, pairs, film_(), scales_.range, dt};
+    return {surfaces, velocities, bodies, pairs, film_(), scales_.range, dt, 0};
 }
 
 
@@ -246,7 +246,8 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     const UList<contactWall>& walls,
     const UList<medialAxisPoint>& medialAxis,
     const scalar dt,
-    vectorField& force
+    vectorField& force,
+    const scalar ahead
 )
 {
     measure(surfaces, bodies, walls, medialAxis);
@@ -255,12 +256,9 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     force.setSize(surfaces.points().size());
     force = Zero;
     const contactPairs& acting = ranges_.acting(surfaces, found_, margin_);
-    law_->addForces
-    (
-        problem(surfaces, velocities, bodies, acting, dt),
-        force,
-        statistics_
-    );
+    contactProblem all(problem(surfaces, velocities, bodies, acting, dt));
+    all.ahead = ahead;
+    law_->addForces(all, force, statistics_);
     return statistics_;
 }
 

@@ -148,7 +148,7 @@ Foam::label Foam::fsi::gapDefence::limit
     // Their gaps at the start of the step, along the same normals
     const contactProblem problem
     {
-        moved_, velocities, bodies, closing_, noFilm_, minimumGap_, dt
+        moved_, velocities, bodies, closing_, noFilm_, minimumGap_, dt, 0
     };
     for (contactPair& pair : closing_.pairs)
     {

@@ -82,7 +82,10 @@ void Foam::fsi::admmSolver::solveBlock
     nIterations_ = max(nIterations_, iteration);
     lastChange_ = max(lastChange_, change);
 
-    angularMomentum::restore<lanes>(block_, controls.conserving);
+    angularMomentum::restore<lanes>
+    (
+        block_, controls.conserving && !s.armsAtEnd
+    );
     block_.store<lanes>(copyi, v);
 }
 

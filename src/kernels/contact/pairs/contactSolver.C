@@ -93,7 +93,7 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
     {
         const contactPair& pair = problem.found.pairs[i];
         compliances_[i] = response_.compliance(i);
-        resistances_[i] = problem.film.resistance
+        resistances_[i] = (1 - problem.ahead)*problem.film.resistance
         (
             problem.surfaces.pointObject()[pair.node], pair
         );

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "bodyNodes.H"
+#include "matrixEntry.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::bodyNodes::bodyNodes()
+:
+    deltaT_(0),
+    ratio_(0)
+{}
+
+
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
+
+void Foam::fsi::bodyNodes::resizeNodes
+(
+    const label nNodes,
+    const label nColumns
+)
+{
+    const bool history = lastMean_.size();
+    positions_.conservativeResize(nNodes, nColumns);
+    velocities_.conservativeResize(nNodes, nColumns);
+    if (history)
+    {
+        lastMean_.conservativeResize(nNodes, nColumns);
+        lastVelocities_.conservativeResize(nNodes, nColumns);
+    }
+}
+
+
+void Foam::fsi::bodyNodes::startNodes
+(
+    const label firstColumn,
+    const label nColumns
+)
+{
+    if (lastMean_.size())
+    {
+        const auto v = velocities_.middleCols(firstColumn, nColumns);
+        lastMean_.middleCols(firstColumn, nColumns) = v;
+        lastVelocities_.middleCols(firstColumn, nColumns) = v;
+    }
+}
+
+
+void Foam::fsi::bodyNodes::copyNodes
+(
+    const label from,
+    const label to,
+    const label nColumns
+)
+{
+    for
+    (
+        Eigen::MatrixXd* each :
+        {&positions_, &velocities_, &lastMean_, &lastVelocities_}
+    )
+    {
+        if (each->size())
+        {
+            each->middleCols(to, nColumns) = each->middleCols(from, nColumns);
+        }
+    }
+}
+
+
+void Foam::fsi::bodyNodes::writeNodes(Ostream& os) const
+{
+    writeMatrix(os, "positions", positions_);
+    writeMatrix(os, "velocities", velocities_);
+    if (lastMean_.size())
+    {
+        writeMatrix(os, "lastMean", lastMean_);
+        writeMatrix(os, "lastVelocities", lastVelocities_);
+    }
+}
+
+
+void Foam::fsi::bodyNodes::readNodes(const dictionary& dict)
+{
+    readMatrix(dict, "positions", positions_);
+    readMatrix(dict, "velocities", velocities_);
+    lastMean_.resize(0, 0);
+    lastVelocities_.resize(0, 0);
+    if (dict.found("lastMean") || dict.found("lastVelocities"))
+    {
+        lastMean_ = velocities_;
+        lastVelocities_ = velocities_;
+        readMatrix(dict, "lastMean", lastMean_);
+        readMatrix(dict, "lastVelocities", lastVelocities_);
+    }
+}
+
+
+void Foam::fsi::bodyNodes::finishNodes
+(
+    const scalar tau,
+    const Eigen::MatrixXd& v
+)
+{
+    if (!secondOrder())
+    {
+        positions_ += tau*v;
+        velocities_ = v;
+        return;
+    }
+    positions_ = start_ + tau*v;
+    velocities_ = v;
+    lastMean_ = (positions_ - oldPositions_)/deltaT_;
+    lastVelocities_ = oldVelocities_;
+    deltaT_ = 0;
+}
+
+
+Eigen::MatrixXd Foam::fsi::bodyNodes::lastPositions() const
+{
+    return
+        ratio_ > 0
+      ? (oldPositions_ - (deltaT_/ratio_)*lastMean_).eval()
+      : oldPositions_;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::bodyNodes::begin
+(
+    const scalar,
+    const scalar dt,
+    const scalar ratio
+)
+{
+    deltaT_ = dt;
+    ratio_ = ratio;
+    if (lastMean_.cols() != velocities_.cols())
+    {
+        lastMean_ = velocities_;
+        lastVelocities_ = velocities_;
+    }
+    oldPositions_ = positions_;
+    oldVelocities_ = velocities_;
+
+    // x^n - x^{n-1} = dt0 lastMean, dt0 = dt/r
+    const scalar part = sqr(ratio)/(1 + 2*ratio);
+    const scalar tau = dt*(1 + ratio)/(1 + 2*ratio);
+    start_ = positions_ + (dt*ratio/(1 + 2*ratio))*lastMean_;
+    startVelocities_ = velocities_ + part*(velocities_ - lastVelocities_);
+    velocities_ += ratio*(oldVelocities_ - lastVelocities_);
+    positions_ = start_ + tau*velocities_;
+}
+
+
+Eigen::MatrixXd Foam::fsi::bodyNodes::standstill(const scalar tau) const
+{
+    if (!secondOrder())
+    {
+        return Eigen::MatrixXd::Zero(positions_.rows(), positions_.cols());
+    }
+    return (oldPositions_ - start_)/tau;
+}
+
+
+// ************************************************************************* //
