@@ -34,6 +34,7 @@ OTHERS = {
     "counts": "whole numbers", "areaFraction": "number",
     "quaternion": "quaternion", "objects": "list of dictionaries",
     "centre": "vector", "faces": "whole numbers", "elements": "whole numbers",
+    "U": "word", "p": "word",
 }
 
 
@@ -59,7 +60,7 @@ def arguments(text, start):
 
 def reads(text):
     """Yields name, type and range of each entry that a source reads."""
-    for match in re.finditer(r"\b(read[A-Z]\w*)\s*(?:<(\w+)>\s*)?\(", text):
+    for match in re.finditer(r"\b(read[A-Z]\w*|getEntry)\s*(?:<(\w+)>\s*)?\(", text):
         name, kind = match.groups()
         values = arguments(text, match.end() - 1)
         if len(values) < 2 or not re.fullmatch(r'"\w+"', values[1]):
