@@ -20,6 +20,7 @@ MAX_CLASS = 600
 RANKS = (
     "src/fastPoisson/lattice/",
     "src/FSIObjects/cartesianMesh/",
+    "src/compatibility/openfoamCase.H",
     "src/FSIObjects/output/",
     "src/FSIObjects/population/bodyGroups.C",
     "src/FSIObjects/population/sharedPrediction.C",

@@ -78,6 +78,9 @@ Foam::dictionary Foam::fsi::boxMesh::outerPatch
         dict.add("neighbourPatch", sideName(dir, 1 - side));
         dict.add("transform", word("translational"));
         dict.add("separationVector", separation);
+        // The same to the Foundation, whose sign is the other one
+        dict.add("transformType", word("translational"));
+        dict.add("separation", vector(-separation));
     }
     else
     {

@@ -18,6 +18,23 @@ using Foam::fsi::boxMesh;
 namespace
 {
 
+//- Largest sum of the area vectors of a cell's faces: 0 if all are closed
+scalar openness(const fvMesh& mesh)
+{
+    vectorField sum(mesh.nCells(), Zero);
+    const vectorField& areas = mesh.faceAreas();
+    forAll(areas, facei)
+    {
+        sum[mesh.faceOwner()[facei]] += areas[facei];
+        if (facei < mesh.nInternalFaces())
+        {
+            sum[mesh.faceNeighbour()[facei]] -= areas[facei];
+        }
+    }
+    return gMax(mag(sum)());
+}
+
+
 //- A field cos(2 pi x/length) on a box, with the patches' natural conditions
 tmp<volScalarField> wave(const fvMesh& mesh, const scalar length)
 {
@@ -79,7 +96,7 @@ TEST(boxMesh, hasTheCellsOfALattice)
         EXPECT_LT(mag(mesh.C()[celli] - centre), 1e-14);
         EXPECT_NEAR(mesh.V()[celli], 1.0/64, 1e-16);
     }
-    EXPECT_FALSE(mesh.checkMesh(false));
+    EXPECT_LT(openness(mesh), 1e-14);
 }
 
 
@@ -88,7 +105,7 @@ TEST(boxMesh, twoDimensionsLeaveZUnsolved)
     boxMesh box(labelVector(4, 4, 1), 2);
     EXPECT_EQ(box.mesh().nGeometricD(), 2);
     EXPECT_EQ(box.mesh().geometricD().z(), -1);
-    EXPECT_FALSE(box.mesh().checkMesh(false));
+    EXPECT_LT(openness(box.mesh()), 1e-14);
 }
 
 

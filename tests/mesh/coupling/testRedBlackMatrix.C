@@ -55,10 +55,10 @@ tmp<fvVectorMatrix> momentum(volVectorField& U, const vectorField& source)
     (
         IOobject("nu", nameOf(mesh.time()), mesh),
         mesh,
-        dimensionedScalar("nu", dimViscosity, 1.3)
+        dimensionedScalar("nu", sqr(dimLength)/dimTime, 1.3)
     );
     const vector wave(5, 7, 3);
-    nu += dimensionedScalar("more", dimViscosity, 0.9)
+    nu += dimensionedScalar("more", sqr(dimLength)/dimTime, 0.9)
        *sin(mesh.Cf() & dimensionedVector("wave", dimless/dimLength, wave));
     tmp<fvVectorMatrix> tequation
     (
@@ -228,7 +228,10 @@ TEST(redBlackMatrix, correctionsReachTheDropTheyPromise)
         fvVectorMatrix equation
         (
             fvm::Sp(dimensionedScalar("r", dimless/dimTime, rate), U)
-          - fvm::laplacian(dimensionedScalar("nu", dimViscosity, 1), U)
+          - fvm::laplacian
+            (
+                dimensionedScalar("nu", sqr(dimLength)/dimTime, 1), U
+            )
         );
         equation.source() += source;
         redBlackMatrix matrix(grid);

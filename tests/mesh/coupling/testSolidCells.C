@@ -41,15 +41,15 @@ void setSome(vectorField& values, const label first)
 }
 
 
-template<class Type>
-GeometricField<Type, fvPatchField, volMesh> someField(const fvMesh& mesh)
+template<class FieldType>
+FieldType someField(const fvMesh& mesh)
 {
-    GeometricField<Type, fvPatchField, volMesh> field
+    FieldType field
     (
         IOobject("some", nameOf(mesh.time()), mesh),
         mesh,
-        dimensioned<Type>(dimless, Zero),
-        zeroGradientFvPatchField<Type>::typeName
+        dimensioned<typename FieldType::value_type>(dimless, Zero),
+        word("zeroGradient")
     );
     setSome(field.primitiveFieldRef(), 1);
     field.correctBoundaryConditions();
@@ -117,7 +117,7 @@ TEST(solidCells, leaveTheMomentumEquationAsBySetValues)
     {
         discsInBox discs(split);
         discs.move(places());
-        volVectorField U(someField<vector>(discs.mesh()));
+        volVectorField U(someField<volVectorField>(discs.mesh()));
         fvVectorMatrix equation(U, dimless);
         setSome(equation.diag(), 2);
         setSome(equation.upper(), 3);
@@ -151,7 +151,7 @@ TEST(solidCells, haveTheMeanGradientOfTheirFluidNeighbours)
     discsInBox discs(0);
     discs.move(places());
     const interfaceGeometry& geometry = discs.geometry();
-    const volScalarField p(someField<scalar>(discs.mesh()));
+    const volScalarField p(someField<volScalarField>(discs.mesh()));
     const immersedFluid fluid(geometry, dictionary());
     const volVectorField open(fluid.openGradient(p));
     const volVectorField extended(fluid.gradient(p));

@@ -103,6 +103,9 @@ void Foam::fsi::latticeMesh::makeOuterPatches()
                 );
                 outer.dict.add("transform", word("translational"));
                 outer.dict.add("separationVector", separation);
+                // The same to the Foundation, whose sign is the other one
+                outer.dict.add("transformType", word("translational"));
+                outer.dict.add("separation", vector(-separation));
             }
         }
     }
