@@ -60,7 +60,8 @@ def arguments(text, start):
 
 def reads(text):
     """Yields name, type and range of each entry that a source reads."""
-    for match in re.finditer(r"\b(read[A-Z]\w*|getEntry)\s*(?:<(\w+)>\s*)?\(", text):
+    call = r"\b(read[A-Z]\w*|getEntry)\s*(?:<(\w+)>\s*)?\("
+    for match in re.finditer(call, text):
         name, kind = match.groups()
         values = arguments(text, match.end() - 1)
         if len(values) < 2 or not re.fullmatch(r'"\w+"', values[1]):
