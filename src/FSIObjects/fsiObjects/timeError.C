@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "timeError.H"
+#include "backwardStep.H"
 #include "openfoamMesh.H"
 #include "openfoamVersion.H"
 #include "sumOverRanks.H"
@@ -102,7 +103,7 @@ Foam::scalar Foam::fsi::timeError::factor() const
     {
         return sqr(dt)/(dt + dt0);
     }
-    const scalar tau = dt*(dt + dt0)/(2*dt + dt0);
+    const scalar tau = backwardStep{dt/dt0}.length(dt);
     return 0.5*tau*dt*(dt + dt0)/(dt + dt0 + before_);
 }
 

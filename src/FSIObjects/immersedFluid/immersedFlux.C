@@ -3,8 +3,8 @@
 #include "immersedFlux.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
+#include "meansAtFaces.H"
 #include "openfoamMesh.H"
-#include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -53,18 +53,18 @@ void Foam::fsi::immersedFlux::fadeGradient
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar h = grid.spacing();
     const scalar deltaT = rule_.step();
-    const scalarField fading
-    (
-        rule_.secondOrder()
-      ? fadingInStep(U, viscosity)
-      : scalarField(U.size(), deltaT*viscosity*4/sqr(h))
-    );
-    scalarField across;
-    swapCoupledCells(p.mesh(), fading, across);
-    const auto lost = [&](const scalar f)
+    const auto lost = [&](const scalar fading)
     {
-        return grid.faceArea()*deltaT*f/(1 + f);
+        return grid.faceArea()*deltaT*fading/(1 + fading);
     };
+
+    // With Euler's rule the same at all faces
+    const scalar everywhere = lost(deltaT*viscosity*4/sqr(h));
+    autoPtr<meansAtFaces> fading;
+    if (rule_.secondOrder())
+    {
+        fading.reset(new meansAtFaces(p.mesh(), fadingInStep(U, viscosity)));
+    }
 
     const labelUList& own = p.mesh().owner();
     const labelUList& nei = p.mesh().neighbour();
@@ -74,7 +74,7 @@ void Foam::fsi::immersedFlux::fadeGradient
             faces_.mean(gradient, own, nei, facei)
           - (p[nei[facei]] - p[own[facei]])/h;
         flux[facei] -=
-            lost(0.5*(fading[own[facei]] + fading[nei[facei]]))
+            (fading.valid() ? lost(fading().inside(facei)) : everywhere)
            *open[facei]*fluidFace[facei]*difference;
     }
     forAll(p.boundaryField(), patchi)
@@ -87,12 +87,14 @@ void Foam::fsi::immersedFlux::fadeGradient
                 faceVelocities::patchMean(gradient, patchi)
               - pp.snGrad(pp.patch().deltaCoeffs())
             );
-            const labelUList& cells = pp.patch().faceCells();
-            const label first = pp.patch().start() - p.mesh().nInternalFaces();
             forAll(difference, i)
             {
                 flux.boundaryFieldRef()[patchi][i] -=
-                    lost(0.5*(fading[cells[i]] + across[first + i]))
+                    (
+                        fading.valid()
+                      ? lost(fading().onPatch(pp.patch(), i))
+                      : everywhere
+                    )
                    *open.boundaryField()[patchi][i]
                    *fluidFace.boundaryField()[patchi][i]*difference[i];
             }
@@ -219,9 +221,7 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
     const surfaceScalarField& interpolated = tinterpolated();
     const surfaceScalarField& open = geometry_.openArea();
     const scalar area = geometry_.grid().faceArea();
-    const scalarField fading(fadingInStep(U, viscosity));
-    scalarField across;
-    swapCoupledCells(U.mesh(), fading, across);
+    const meansAtFaces fading(U.mesh(), fadingInStep(U, viscosity));
 
     // What a cut face adds does not fade in its step: it hardly may later on,
     // or the result depends on the step by first order
@@ -231,8 +231,6 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
         return fluidFace < 0.5 ? ofCut*value : value;
     };
 
-    const labelUList& own = U.mesh().owner();
-    const labelUList& nei = U.mesh().neighbour();
     forAll(open, facei)
     {
         faceHistory_[facei] =
@@ -241,11 +239,7 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
             (
                 phi[facei]/(open[facei]*area),
                 interpolated[facei],
-                fadingOf
-                (
-                    geometry_.fluidFace()[facei],
-                    0.5*(fading[own[facei]] + fading[nei[facei]])
-                )
+                fadingOf(geometry_.fluidFace()[facei], fading.inside(facei))
             )
           : 0;
     }
@@ -253,8 +247,6 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
     {
         const fvsPatchScalarField& po = open.boundaryField()[patchi];
         fvsPatchScalarField& ph = faceHistory_.boundaryFieldRef()[patchi];
-        const labelUList& cells = po.patch().faceCells();
-        const label first = po.patch().start() - U.mesh().nInternalFaces();
         forAll(po, i)
         {
             ph[i] =
@@ -266,7 +258,7 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
                     fadingOf
                     (
                         geometry_.fluidFace().boundaryField()[patchi][i],
-                        0.5*(fading[cells[i]] + across[first + i])
+                        fading.onPatch(po.patch(), i)
                     )
                 )
               : 0;

@@ -53,7 +53,7 @@ Foam::tmp<Foam::vectorField> Foam::fsi::timeRule::start
         return last;
     }
     const vectorField& before = U.oldTime().oldTime().primitiveField();
-    return (sqr(1 + ratio_)*last - sqr(ratio_)*before)/(1 + 2*ratio_);
+    return last + backwardStep{ratio_}.share()*(last - before);
 }
 
 
@@ -70,7 +70,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::timeRule::start
     // Kept from here on; of the first step nothing older is known
     const surfaceScalarField& last = f.oldTime();
     const surfaceScalarField& before = last.oldTime();
-    return last + sqr(ratio_)/(1 + 2*ratio_)*(last - before);
+    return last + backwardStep{ratio_}.share()*(last - before);
 }
 
 

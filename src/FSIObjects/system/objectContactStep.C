@@ -4,26 +4,24 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vectorField Foam::fsi::objectContact::lessStandstill
+Foam::tmp<Foam::vectorField> Foam::fsi::objectContact::lessStandstill
 (
     const vectorField& v
 ) const
 {
-    vectorField result(v);
-    if (start_.valid())
+    if (!start_.valid())
     {
-        const PtrList<bodyGroup>& groups = system_.objects.groups();
-        fsiSystem::groupNodal standstill(groups.size());
-        forAll(groups, groupi)
-        {
-            standstill[groupi] =
-                groups[groupi].standstill(system_.stepTime());
-        }
-        vectorField nodal(v.size(), Zero);
-        system_.objects.layout().toSurface(standstill, nodal);
-        result -= nodal;
+        return tmp<vectorField>(v);
     }
-    return result;
+    const PtrList<bodyGroup>& groups = system_.objects.groups();
+    fsiSystem::groupNodal standstill(groups.size());
+    forAll(groups, groupi)
+    {
+        standstill[groupi] = groups[groupi].standstill(system_.stepTime());
+    }
+    vectorField nodal(v.size(), Zero);
+    system_.objects.layout().toSurface(standstill, nodal);
+    return v - nodal;
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyNodes.H"
+#include "backwardStep.H"
 #include "matrixEntry.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -144,12 +145,13 @@ void Foam::fsi::bodyNodes::begin
     oldVelocities_ = velocities_;
 
     // x^n - x^{n-1} = dt0 lastMean, dt0 = dt/r
-    const scalar part = sqr(ratio)/(1 + 2*ratio);
-    const scalar tau = dt*(1 + ratio)/(1 + 2*ratio);
-    start_ = positions_ + (dt*ratio/(1 + 2*ratio))*lastMean_;
-    startVelocities_ = velocities_ + part*(velocities_ - lastVelocities_);
+    const backwardStep step{ratio};
+    const scalar dt0 = ratio > 0 ? dt/ratio : 0;
+    start_ = positions_ + step.share()*dt0*lastMean_;
+    startVelocities_ =
+        velocities_ + step.share()*(velocities_ - lastVelocities_);
     velocities_ += ratio*(oldVelocities_ - lastVelocities_);
-    positions_ = start_ + tau*velocities_;
+    positions_ = start_ + step.length(dt)*velocities_;
 }
 
 

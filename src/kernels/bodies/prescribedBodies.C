@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "prescribedBodies.H"
+#include "backwardStep.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -70,7 +71,7 @@ void Foam::fsi::prescribedBodies::begin
     displacement(time - dt, dt, d);
     bodyGroup::begin(time, dt, ratio);
     positions() = oldPositions() + d;
-    velocities() = (positions() - start())*((1 + 2*ratio)/(dt*(1 + ratio)));
+    velocities() = (positions() - start())/backwardStep{ratio}.length(dt);
 }
 
 

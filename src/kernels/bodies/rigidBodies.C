@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "rigidBodies.H"
+#include "backwardStep.H"
 #include "rigidTurn.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -181,7 +182,7 @@ void Foam::fsi::rigidBodies::begin
             rigidField
             (
                 mean(ofCopy(startVelocities(), copyi)),
-                L + sqr(ratio)/(1 + 2*ratio)*(L - lastL),
+                L + backwardStep{ratio}.share()*(L - lastL),
                 arms
             )
         );
