@@ -4,23 +4,6 @@
 #include "backwardStep.H"
 #include "rigidTurn.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Axial vector of S - S^T: sum m a x b of the moments of a and b
-Eigen::Vector3d axial(const Eigen::Matrix3d& S)
-{
-    return Eigen::Vector3d
-    (
-        S(1, 2) - S(2, 1), S(2, 0) - S(0, 2), S(0, 1) - S(1, 0)
-    );
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Eigen::MatrixXd Foam::fsi::rigidBodies::lessMean
@@ -32,11 +15,7 @@ Eigen::MatrixXd Foam::fsi::rigidBodies::lessMean
     Eigen::MatrixXd result(values);
     for (label i = 0; i < 2; ++i)
     {
-        const Eigen::RowVectorXd mean
-        (
-            masses_.transpose()*result/masses_.sum()
-        );
-        result.rowwise() -= mean;
+        result.rowwise() -= mean(result);
     }
     return result;
 }
@@ -75,9 +54,10 @@ Eigen::MatrixXd Foam::fsi::rigidBodies::rigidField
 ) const
 {
     // omega x r, row by row
-    const Eigen::Vector3d w(angularVelocityOf(momentum, arms));
-    Eigen::Matrix3d cross;
-    cross << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+    const Eigen::Matrix3d cross
+    (
+        crossMatrix(angularVelocityOf(momentum, arms))
+    );
     const label nDims = shape().nDims();
     Eigen::MatrixXd v(arms*cross.topLeftCorner(nDims, nDims).transpose());
     v.rowwise() += mean;
@@ -149,11 +129,11 @@ void Foam::fsi::rigidBodies::begin
         const Eigen::MatrixXd before(lessMean(ofCopy(lastPoints, copyi)));
         const Eigen::Vector3d L
         (
-            axial(moments(r, ofCopy(oldVelocities(), copyi)))
+            axialVector(moments(r, ofCopy(oldVelocities(), copyi)))
         );
         const Eigen::Vector3d lastL
         (
-            axial(moments(before, ofCopy(lastVelocities(), copyi)))
+            axialVector(moments(before, ofCopy(lastVelocities(), copyi)))
         );
         const Eigen::Vector3d omega(angularVelocityOf(L, r));
         const Eigen::Vector3d change
@@ -205,7 +185,7 @@ void Foam::fsi::rigidBodies::move(const scalar dt, const Eigen::MatrixXd& v)
         ofCopy(velocities(), copyi) = rigidField
         (
             mean(velocity),
-            axial(moments(lessMean(ofCopy(expected, copyi)), velocity)),
+            axialVector(moments(lessMean(ofCopy(expected, copyi)), velocity)),
             lessMean(ofCopy(positions(), copyi))
         );
     }
@@ -243,7 +223,7 @@ void Foam::fsi::rigidBodies::constrain
         );
         const Eigen::Vector3d momentum
         (
-            axial(dt*moments(r, velocity) + moments(r, before))
+            axialVector(dt*moments(r, velocity) + moments(r, before))
         );
         Eigen::Matrix3d turn;
         if (!rigidTurn(moments(r, r), momentum, turn))

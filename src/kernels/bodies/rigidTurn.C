@@ -8,15 +8,6 @@
 namespace
 {
 
-//- a x as a matrix
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& a)
-{
-    Eigen::Matrix3d m;
-    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
-    return m;
-}
-
-
 //- Change of the rotation vector w by a further small turn
 Eigen::Vector3d changeBy(const Eigen::Vector3d& w, const Eigen::Vector3d& turn)
 {
@@ -34,6 +25,23 @@ Eigen::Vector3d changeBy(const Eigen::Vector3d& w, const Eigen::Vector3d& turn)
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Eigen::Matrix3d Foam::fsi::crossMatrix(const Eigen::Vector3d& a)
+{
+    Eigen::Matrix3d m;
+    m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
+    return m;
+}
+
+
+Eigen::Vector3d Foam::fsi::axialVector(const Eigen::Matrix3d& S)
+{
+    return Eigen::Vector3d
+    (
+        S(1, 2) - S(2, 1), S(2, 0) - S(0, 2), S(0, 1) - S(1, 0)
+    );
+}
+
 
 Eigen::Matrix3d Foam::fsi::exponentialLess1(const Eigen::Vector3d& w)
 {
@@ -62,14 +70,7 @@ bool Foam::fsi::rigidTurn
     {
         // sum m r y^T with y = Q r - r
         const Eigen::Matrix3d T(S*less1.transpose());
-        const Eigen::Vector3d missing
-        (
-            stepMomentum
-          - Eigen::Vector3d
-            (
-                T(1, 2) - T(2, 1), T(2, 0) - T(0, 2), T(0, 1) - T(1, 0)
-            )
-        );
+        const Eigen::Vector3d missing(stepMomentum - axialVector(T));
         const double error = missing.norm();
         if (!(error < last) || w.norm() > 1)
         {
