@@ -12,8 +12,8 @@ A disc that nearly fills half of a channel, from rest: the mean velocity after
 a tenth of the viscous time. The equations of a step are solved to the end, by
 many passes. dt nu/h^2 is 5 to 1.
 
-A run with a disc in two parts ends as one in one part. Discs that collide get no
-faster. What is of first order is refused.
+A run with a disc in two parts ends as one in one part. Discs that collide get
+no faster. What is of first order is refused.
 """
 
 import math

@@ -136,9 +136,9 @@ TEST(ContactRanges, growWithoutEnergyWhenBodiesPart)
 }
 
 
-//- Spheres of a speed that part: ranges, acting pairs and smallest gap are those
-//  of the search by cells, which has all pairs up to the full range and the
-//  margin. Returns the steps in which far fewer pairs were found
+//- Spheres of a speed that part: ranges, acting pairs and smallest gap are
+//  those of the search by cells, which has all pairs up to the full range and
+//  the margin. Returns the steps in which far fewer pairs were found
 static label compareWithFullSearch(const scalar speed)
 {
     rigidBodies world(lattice(0.5*h, speed));
