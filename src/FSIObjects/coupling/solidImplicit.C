@@ -186,18 +186,18 @@ void Foam::fsi::solidImplicit::correctVelocity
     const vectorField& gradient = tgradient().primitiveField();
     const boolList& fluid = system_.geometry.fluidCell();
     const scalarField& V = U.mesh().V();
-    vectorField change(U.size(), Zero);
-    vectorField source(U.size(), Zero);
+    vectorField change(U.size());
+    vectorField source(U.size());
     forAll(source, celli)
     {
-        if (fluid[celli])
-        {
-            change[celli] = last[celli] - gradient[celli];
-            source[celli] = V[celli]*change[celli];
-        }
+        const vector force
+        (
+            fluid[celli] ? last[celli] - gradient[celli] : vector(Zero)
+        );
+        change[celli] = rAU*force;
+        source[celli] = V[celli]*force;
     }
     const vectorField before(U.primitiveField());
-    change *= rAU;
     const immersedFluid& f = system_.fluid;
     viscous_.addResponse(source, f.responseGuess(change, system_.viscosity), U);
     passes_.measure(fluid, before, U.primitiveField(), change);

@@ -67,7 +67,7 @@ Foam::fsi::timeError::timeError(const fvMesh& mesh)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::timeError::sumSquares
+Foam::scalarList Foam::fsi::timeError::sums
 (
     const volVectorField& U,
     const boolList& fluid
@@ -76,7 +76,7 @@ Foam::scalar Foam::fsi::timeError::sumSquares
     const scalar deltaT = U.time().deltaTValue();
     const scalar deltaT0 = U.time().deltaT0Value();
     const vectorField& last = U.oldTime().primitiveField();
-    scalar squares = 0;
+    scalarList result(3, Zero);
     forAll(U, celli)
     {
         const vector rate((U[celli] - last[celli])/deltaT);
@@ -89,9 +89,15 @@ Foam::scalar Foam::fsi::timeError::sumSquares
             change = nKnown_ < 2 ? change : now - curvature;
             curvature = now;
         }
-        squares += fluid[celli] ? magSqr(change) : 0;
+        if (fluid[celli])
+        {
+            result[0] += magSqr(change);
+            result[1] += magSqr(U[celli]);
+            result[2] += 1;
+        }
     }
-    return squares;
+    sumOverRanks(result);
+    return result;
 }
 
 
@@ -117,23 +123,14 @@ void Foam::fsi::timeError::measure
     const scalar ofSplitting
 )
 {
-    scalarList sums(3, Zero);
-    forAll(U, celli)
-    {
-        if (fluid[celli])
-        {
-            sums[1] += magSqr(U[celli]);
-            sums[2] += 1;
-        }
-    }
-    sums[0] = sumSquares(U, fluid);
-    sumOverRanks(sums);
+    const scalarList ofCells(sums(U, fluid));
+    const scalar nCells = max(ofCells[2], 1.0);
     const bool first = scale_ == 0;
-    scale_ = max(0.99*scale_, sqrt(sums[1]/max(sums[2], 1.0)));
+    scale_ = max(0.99*scale_, sqrt(ofCells[1]/nCells));
     ofTime_ =
         first
       ? 0
-      : factor()*sqrt(sums[0]/max(sums[2], 1.0))/max(scale_, VSMALL);
+      : factor()*sqrt(ofCells[0]/nCells)/max(scale_, VSMALL);
     ofSplitting_ = ofSplitting;
     nKnown_ = min(nKnown_ + 1, 2);
     before_ = rate_.time().deltaT0Value();

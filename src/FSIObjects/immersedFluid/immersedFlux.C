@@ -18,6 +18,62 @@ Foam::fsi::immersedFlux::historyNames
 });
 
 
+// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
+
+//- A dt f/(1 + f) at the faces [m2 s], with f what fades in a step. With Euler's
+//  rule the same everywhere
+class Foam::fsi::immersedFlux::fadingPart
+{
+    const scalar scale_;
+    const scalar everywhere_;
+    autoPtr<meansAtFaces> fading_;
+
+    scalar lost(const scalar fading) const
+    {
+        return scale_*fading/(1 + fading);
+    }
+
+public:
+
+    fadingPart
+    (
+        const immersedFlux& flux,
+        const volVectorField& U,
+        const scalar viscosity
+    )
+    :
+        scale_(flux.geometry_.grid().faceArea()*flux.rule_.step()),
+        everywhere_
+        (
+            lost
+            (
+                flux.rule_.step()*viscosity*4
+               /sqr(flux.geometry_.grid().spacing())
+            )
+        )
+    {
+        if (flux.rule_.secondOrder())
+        {
+            fading_.reset
+            (
+                new meansAtFaces(U.mesh(), flux.fadingInStep(U, viscosity))
+            );
+        }
+    }
+
+    scalar inside(const label facei) const
+    {
+        return fading_.valid() ? lost(fading_().inside(facei)) : everywhere_;
+    }
+
+    scalar onPatch(const fvPatch& patch, const label i) const
+    {
+        return
+            fading_.valid() ? lost(fading_().onPatch(patch, i)) : everywhere_;
+    }
+};
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
@@ -39,44 +95,16 @@ Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
 }
 
 
-void Foam::fsi::immersedFlux::fadeGradient
+void Foam::fsi::immersedFlux::fadeOnPatches
 (
-    const volVectorField& U,
+    const fadingPart& lost,
     const volVectorField& gradient,
     const volScalarField& p,
-    const scalar viscosity,
     surfaceScalarField& flux
 ) const
 {
-    const cartesianMesh& grid = geometry_.grid();
     const surfaceScalarField& open = geometry_.openArea();
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
-    const scalar h = grid.spacing();
-    const scalar deltaT = rule_.step();
-    const auto lost = [&](const scalar fading)
-    {
-        return grid.faceArea()*deltaT*fading/(1 + fading);
-    };
-
-    // With Euler's rule the same at all faces
-    const scalar everywhere = lost(deltaT*viscosity*4/sqr(h));
-    autoPtr<meansAtFaces> fading;
-    if (rule_.secondOrder())
-    {
-        fading.reset(new meansAtFaces(p.mesh(), fadingInStep(U, viscosity)));
-    }
-
-    const labelUList& own = p.mesh().owner();
-    const labelUList& nei = p.mesh().neighbour();
-    forAll(flux, facei)
-    {
-        const scalar difference =
-            faces_.mean(gradient, own, nei, facei)
-          - (p[nei[facei]] - p[own[facei]])/h;
-        flux[facei] -=
-            (fading.valid() ? lost(fading().inside(facei)) : everywhere)
-           *open[facei]*fluidFace[facei]*difference;
-    }
     forAll(p.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
@@ -90,11 +118,7 @@ void Foam::fsi::immersedFlux::fadeGradient
             forAll(difference, i)
             {
                 flux.boundaryFieldRef()[patchi][i] -=
-                    (
-                        fading.valid()
-                      ? lost(fading().onPatch(pp.patch(), i))
-                      : everywhere
-                    )
+                    lost.onPatch(pp.patch(), i)
                    *open.boundaryField()[patchi][i]
                    *fluidFace.boundaryField()[patchi][i]*difference[i];
             }
@@ -186,10 +210,24 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const tmp<surfaceScalarField> thistory(rule_.start(faceHistory_));
     const surfaceScalarField& history = thistory();
     const surfaceScalarField& open = geometry_.openArea();
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar area = geometry_.grid().faceArea();
+    const scalar h = geometry_.grid().spacing();
+    const bool fades = history_ == history::fading;
+    const fadingPart lost(*this, U, viscosity);
+    const labelUList& own = p.mesh().owner();
+    const labelUList& nei = p.mesh().neighbour();
     forAll(flux, facei)
     {
         flux[facei] = (flux[facei] + history[facei])*area*open[facei];
+        if (fades)
+        {
+            const scalar difference =
+                faces_.mean(gradient, own, nei, facei)
+              - (p[nei[facei]] - p[own[facei]])/h;
+            flux[facei] -=
+                lost.inside(facei)*open[facei]*fluidFace[facei]*difference;
+        }
     }
     forAll(flux.boundaryField(), patchi)
     {
@@ -198,9 +236,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
             (pf + history.boundaryField()[patchi])
            *pf.patch().magSf()*open.boundaryField()[patchi];
     }
-    if (history_ == history::fading)
+    if (fades)
     {
-        fadeGradient(U, gradient, p, viscosity, flux);
+        fadeOnPatches(lost, gradient, p, flux);
     }
     return tflux;
 }

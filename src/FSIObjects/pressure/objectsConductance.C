@@ -170,10 +170,14 @@ void Foam::fsi::objectsConductance::add
     scalarField& upper = matrix.upper();
     forAll(upper, facei)
     {
-        const scalar g = sign*conductance[facei];
-        upper[facei] -= g;
-        diagonal[own[facei]] += g;
-        diagonal[nei[facei]] += g;
+        // Few faces have one: the others' coefficients are not touched
+        if (conductance[facei] != 0)
+        {
+            const scalar g = sign*conductance[facei];
+            upper[facei] -= g;
+            diagonal[own[facei]] += g;
+            diagonal[nei[facei]] += g;
+        }
     }
     forAll(matrix.psi().mesh().boundary(), patchi)
     {
