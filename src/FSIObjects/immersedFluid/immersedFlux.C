@@ -3,7 +3,6 @@
 #include "immersedFlux.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
-#include "meansAtFaces.H"
 #include "openfoamMesh.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -16,62 +15,6 @@ Foam::fsi::immersedFlux::historyNames
     {history::full, "full"},
     {history::none, "none"}
 });
-
-
-// * * * * * * * * * * * * * * * Local Classes * * * * * * * * * * * * * * * //
-
-//- A dt f/(1 + f) at the faces [m2 s], with f what fades in a step. With Euler's
-//  rule the same everywhere
-class Foam::fsi::immersedFlux::fadingPart
-{
-    const scalar scale_;
-    const scalar everywhere_;
-    autoPtr<meansAtFaces> fading_;
-
-    scalar lost(const scalar fading) const
-    {
-        return scale_*fading/(1 + fading);
-    }
-
-public:
-
-    fadingPart
-    (
-        const immersedFlux& flux,
-        const volVectorField& U,
-        const scalar viscosity
-    )
-    :
-        scale_(flux.geometry_.grid().faceArea()*flux.rule_.step()),
-        everywhere_
-        (
-            lost
-            (
-                flux.rule_.step()*viscosity*4
-               /sqr(flux.geometry_.grid().spacing())
-            )
-        )
-    {
-        if (flux.rule_.secondOrder())
-        {
-            fading_.reset
-            (
-                new meansAtFaces(U.mesh(), flux.fadingInStep(U, viscosity))
-            );
-        }
-    }
-
-    scalar inside(const label facei) const
-    {
-        return fading_.valid() ? lost(fading_().inside(facei)) : everywhere_;
-    }
-
-    scalar onPatch(const fvPatch& patch, const label i) const
-    {
-        return
-            fading_.valid() ? lost(fading_().onPatch(patch, i)) : everywhere_;
-    }
-};
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -92,6 +35,27 @@ Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
         fading[celli] = deltaT*(viscous + mag(U[celli])/h);
     }
     return fading;
+}
+
+
+Foam::fsi::fadingPart Foam::fsi::immersedFlux::fadingGradient
+(
+    const volVectorField& U,
+    const scalar viscosity
+) const
+{
+    const scalar h = geometry_.grid().spacing();
+    const scalar deltaT = rule_.step();
+    fadingPart part(geometry_.grid().faceArea()*deltaT);
+    if (rule_.secondOrder())
+    {
+        part.set(U.mesh(), fadingInStep(U, viscosity));
+    }
+    else
+    {
+        part.set(deltaT*viscosity*4/sqr(h));
+    }
+    return part;
 }
 
 
@@ -214,7 +178,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const scalar area = geometry_.grid().faceArea();
     const scalar h = geometry_.grid().spacing();
     const bool fades = history_ == history::fading;
-    const fadingPart lost(*this, U, viscosity);
+    const fadingPart lost(fadingGradient(U, viscosity));
     const labelUList& own = p.mesh().owner();
     const labelUList& nei = p.mesh().neighbour();
     forAll(flux, facei)
