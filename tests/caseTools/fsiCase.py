@@ -110,9 +110,21 @@ def set_entry(path, key, value):
         stream.write(text)
 
 
+def of_this_line(path, command):
+    """The command as the line of OpenFOAM that is sourced has it: where the
+    step is a solver module, the case gets what that line needs as well."""
+    if (os.environ.get("FSI_LINE") != "foundation"
+            or command[0] != "fsiPisoFoam"):
+        return list(command)
+    script = os.path.join(os.path.dirname(__file__), "../../etc")
+    subprocess.run([os.path.join(script, "foundationCase"), path],
+                   stdout=subprocess.DEVNULL, check=True)
+    return ["foamRun", "-solver", "fsiFluid", *command[1:]]
+
+
 def run(path, *command, ranks=1, limit=600, seconds=None):
     """Runs an application for a case; raises RuntimeError if it fails."""
-    args = list(command) + ["-case", path]
+    args = of_this_line(path, command) + ["-case", path]
     if ranks > 1:
         args = ["mpirun", "--oversubscribe", "-np", str(ranks)] + args
         args.append("-parallel")

@@ -23,7 +23,7 @@ Usage
 #include <cstring>
 #include <iostream>
 
-#include "parRun.H"
+#include "openfoamCase.H"
 #include "PstreamReduceOps.H"
 #include "errorOf.H"
 
@@ -94,7 +94,7 @@ int main(int argc, char* argv[])
     if (takeParallel(argc, argv))
     {
         char** arguments = argv;
-        parRun.runPar(argc, arguments, false);
+        Foam::fsi::startRanks(parRun, argc, arguments);
     }
     ::testing::InitGoogleTest(&argc, argv);
 

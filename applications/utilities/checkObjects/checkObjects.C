@@ -159,9 +159,9 @@ int main(int argc, char *argv[])
     }
     Info<< nl << (nFaults ? "Objects are not sound: " : "Objects are sound: ")
         << nFaults << " faults in " << times.size() << " times" << nl << endl;
-    // The end of argList would make it 0
-    UPstream::exit(nFaults ? 1 : 0);
-    return 0;
+    const int status = nFaults ? 1 : 0;
+    fsi::endProgram(status);
+    return status;
 }
 
 

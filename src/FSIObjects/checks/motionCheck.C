@@ -75,7 +75,8 @@ void Foam::fsi::motionCheck::checkSpeeds
                 << "The run has lost its stability: take a smaller deltaT or "
                 << "adjustTimeStep with maxCo; give very soft bodies a "
                 << "viscosity (material), and with coupling weak take heavier "
-                << "or stiffer objects (doc/theory.md, section 5.3)"
+                << "or stiffer objects (doc/theory.md, section 5.3); in a "
+                << "stock solver a larger deltaT or stiffer objects"
                 << exit(FatalError);
         }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "forcedObjects.H"
+#include "bodyGroup.H"
+#include "boundBox.H"
 #include "dictionaryCheck.H"
 #include "dimensionedScalar.H"
 #include "IOdictionary.H"
@@ -83,12 +85,41 @@ Foam::fsi::forcedObjects::forcedObjects
     pressureName_(stockField<volScalarField>(mesh, dict, "p")),
     objects_(mesh, stockViscosity(mesh), directForcing::select),
     forcing_(refCast<directForcing>(objects_.coupling())),
-    timeIndex_(mesh.time().timeIndex())
+    timeIndex_(mesh.time().timeIndex()),
+    warned_(false)
 {
     wordList known(keys);
     known.append("U");
     known.append("p");
     checkKeys(dict, known);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::forcedObjects::checkWaves()
+{
+    for (const bodyGroup& group : objects_.system().objects.groups())
+    {
+        const shapeTemplate& shape = group.shape();
+        const scalar modulus = shape.youngsModulus();
+        const scalar size = cmptMax(boundBox(shape.points(), false).span());
+        const scalar least =
+            modulus > 0 ? size*sqrt(shape.density()/modulus) : 0;
+        const scalar deltaT = mesh_.time().deltaTValue();
+        if (!warned_ && deltaT < least)
+        {
+            warned_ = true;
+            objects_.log().warned("step below that of elastic waves");
+            WarningInFunction
+                << "The step of " << deltaT << " s is shorter than the "
+                << least << " s in which an elastic wave crosses shape "
+                << shape.name() << ": with direct forcing the run may lose its"
+                << " stability." << nl
+                << "    Take a larger deltaT (or maxCo), a larger E, or"
+                << " fsiPisoFoam or fsiFluid" << nl << endl;
+        }
+    }
 }
 
 
@@ -100,10 +131,11 @@ void Foam::fsi::forcedObjects::advance()
     if (timeIndex_ != time.timeIndex())
     {
         timeIndex_ = time.timeIndex();
+        checkWaves();
         auto& U = mesh_.lookupObjectRef<volVectorField>(velocityName_);
         auto& p = mesh_.lookupObjectRef<volScalarField>(pressureName_);
         forcing_.takeLoad(U.oldTime().primitiveField());
-        objects_.startStep(p, U.oldTime());
+        objects_.startStep(p, oldTimeOf(U));
         objects_.finishStep(p, U);
         forcing_.updateCoverage();
         objects_.write();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "shortWaves.H"
+#include "labelPair.H"
 #include "mathematicalConstants.H"
 
 #include <map>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "laneCholesky.H"
+#include "SubList.H"
 #include "laneReference.H"
 #include "vectorClones.H"
 #include "error.H"

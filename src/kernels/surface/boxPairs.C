@@ -83,7 +83,7 @@ static DynamicList<movedBox> imagesOf
 )
 {
     const vectorField homes(homeShifts(boxes, period, nDims));
-    boundBox all;
+    boundBox all(boundBox::invertedBox);
     labelVector n(0, 0, 0);
     forAll(boxes, i)
     {

@@ -65,7 +65,7 @@ void Foam::fsi::closedSurface::keepNear
     const scalar gap
 ) const
 {
-    boundBox found;
+    boundBox found(boundBox::invertedBox);
     label n = 0;
     for (const label facei : faces)
     {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include "poissonProblem.H"
 #include "poissonCases.H"
+#include "needsThrownErrors.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -126,6 +127,7 @@ TEST(cartesianFFT, decompositionDoesNotMatter)
 
 TEST(cartesianFFT, refusesVariableCoefficients)
 {
+    NEEDS_THROWN_ERRORS
     latticeOptions options;
     options.n = labelVector(12, 12, 1);
     latticeMesh mesh(options);
@@ -139,6 +141,7 @@ TEST(cartesianFFT, refusesVariableCoefficients)
 
 TEST(cartesianFFT, refusesHoles)
 {
+    NEEDS_THROWN_ERRORS
     latticeOptions options;
     options.n = labelVector(12, 12, 1);
     options.hole = [](const labelVector& c)

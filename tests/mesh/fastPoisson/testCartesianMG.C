@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include "poissonProblem.H"
 #include "poissonCases.H"
+#include "needsThrownErrors.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -210,6 +211,7 @@ TEST(cartesianMG, preconditionsTheStockSolver)
 
 TEST(cartesianMG, refusesOtherMeshes)
 {
+    NEEDS_THROWN_ERRORS
     latticeOptions stretched;
     stretched.n = labelVector(8, 8, 1);
     stretched.distort = [](const point& p)

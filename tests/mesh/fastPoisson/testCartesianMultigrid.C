@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include "multigridCases.H"
 #include "openfoamMesh.H"
+#include "needsThrownErrors.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -165,6 +166,7 @@ TEST(cartesianMultigrid, signDoesNotMatter)
 
 TEST(cartesianMultigrid, refusesAnUnknownCycle)
 {
+    NEEDS_THROWN_ERRORS
     latticeMesh mesh(box(8, 8));
     EXPECT_THROW
     (

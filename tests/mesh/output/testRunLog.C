@@ -6,6 +6,7 @@
 #include "IStringStream.H"
 #include "OStringStream.H"
 #include "runLog.H"
+#include "needsThrownErrors.H"
 
 using namespace Foam;
 using Foam::fsi::boxMesh;
@@ -101,6 +102,7 @@ TEST(RunLog, summaryCountsWarnings)
 
 TEST(RunLog, unknownChoiceIsRefused)
 {
+    NEEDS_THROWN_ERRORS
     boxMesh box(labelVector(8, 8, 1), 2);
     IStringStream is("log all;");
     const dictionary dict(is);

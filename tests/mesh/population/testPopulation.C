@@ -5,6 +5,7 @@
 #include "nodeVelocities.H"
 #include "someObjects.H"
 #include "PstreamReduceOps.H"
+#include "needsThrownErrors.H"
 
 using namespace Foam;
 using Foam::fsi::boxMesh;
@@ -245,6 +246,7 @@ TEST(Population, removingKeepsTheOthers)
 
 TEST(Population, refusesTwoShapesOfOneName)
 {
+    NEEDS_THROWN_ERRORS
     boxMesh box(labelVector(8, 8, 1), 2);
     autoPtr<population> objects = someObjects::make(box.time());
     autoPtr<fsi::shapeTemplate> again
@@ -283,6 +285,7 @@ TEST(Population, restartIsExactInBinary)
 
 TEST(Population, saysWhatToRunWhereThereIsNone)
 {
+    NEEDS_THROWN_ERRORS
     boxMesh box(labelVector(8, 8, 1), 2);
     EXPECT_NE
     (

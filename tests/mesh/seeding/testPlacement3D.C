@@ -6,6 +6,7 @@
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "rotations.H"
+#include "needsThrownErrors.H"
 
 using namespace Foam;
 using Foam::fsi::closedSurface;
@@ -122,6 +123,7 @@ TEST(Placement3D, csvTakesEveryKindOfRotation)
 
 TEST(Placement3D, csvSaysWhatIsWrongWithColumns)
 {
+    NEEDS_THROWN_ERRORS
     for
     (
         const auto& wrong : std::map<std::string, std::string>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "seedBox.H"
+#include "needsThrownErrors.H"
 
 using namespace Foam;
 using namespace seedBox;
@@ -10,6 +11,7 @@ using namespace seedBox;
 
 TEST(Placement, namesTheCauseOfAMissingPlace)
 {
+    NEEDS_THROWN_ERRORS
     // The walls, not other objects
     for (const char* type : {"random", "packed"})
     {
@@ -38,6 +40,7 @@ TEST(Placement, namesTheCauseOfAMissingPlace)
 
 TEST(Placement, refusesAbsurdCounts)
 {
+    NEEDS_THROWN_ERRORS
     expectPieces
     (
         errorOf("type lattice; shape disc; counts (100000 100000 1);"),
@@ -68,6 +71,7 @@ TEST(Placement, refusesAbsurdCounts)
 
 TEST(Placement, refusesWhatLeavesThePlane)
 {
+    NEEDS_THROWN_ERRORS
     const auto listed = [](const std::string& entries)
     {
         return

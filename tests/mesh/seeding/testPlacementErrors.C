@@ -5,6 +5,7 @@
 #include "seedBox.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include "needsThrownErrors.H"
 
 using namespace Foam;
 using namespace seedBox;
@@ -12,6 +13,7 @@ using namespace seedBox;
 
 TEST(Placement, refusesOverlapNamingBothObjects)
 {
+    NEEDS_THROWN_ERRORS
     expectPieces
     (
         errorOf
@@ -38,6 +40,7 @@ TEST(Placement, refusesOverlapNamingBothObjects)
 
 TEST(Placement, refusesPerturbationOfNoVelocity)
 {
+    NEEDS_THROWN_ERRORS
     const std::string placement =
         "type listed; shape disc; velocityPerturbation 0.1;"
         "objects ({ centre (0.5 0.5 0); });";
@@ -52,6 +55,7 @@ TEST(Placement, refusesPerturbationOfNoVelocity)
 
 TEST(Placement, refusesObjectsOutsideTheDomain)
 {
+    NEEDS_THROWN_ERRORS
     const std::string inside =
         "type listed; shape disc; objects ({ centre (1.94 0.5 0); });";
     EXPECT_EQ(errorOf(inside), "");
@@ -71,6 +75,7 @@ TEST(Placement, refusesObjectsOutsideTheDomain)
 
 TEST(Placement, objectsMayLieAcrossCyclicSides)
 {
+    NEEDS_THROWN_ERRORS
     const vector period(2, 0, 0);
     const auto listed = [](const std::string& objects)
     {
@@ -124,6 +129,7 @@ TEST(Placement, objectsMayLieAcrossCyclicSides)
 
 TEST(Placement, saysHowManyFit)
 {
+    NEEDS_THROWN_ERRORS
     expectPieces
     (
         errorOf("type random; shape disc; areaFraction 0.8; maxAttempts 50;"),
@@ -139,6 +145,7 @@ TEST(Placement, saysHowManyFit)
 
 TEST(Placement, refusesWrongEntries)
 {
+    NEEDS_THROWN_ERRORS
     expectPieces
     (
         errorOf("type heap; shape disc;"),
@@ -186,6 +193,7 @@ TEST(Placement, refusesWrongEntries)
 
 TEST(Placement, refusesLinesOfAFileByNumber)
 {
+    NEEDS_THROWN_ERRORS
     const fileName file
     (
         "/tmp/fsiMeshTests-csv-" + Foam::name(pid())

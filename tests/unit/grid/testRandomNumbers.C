@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "labelList.H"
 #include "randomNumbers.H"
 #include "vector.H"
 #include <cstdlib>

@@ -73,6 +73,7 @@ Foam::fsi::packing::packing
     period_(period),
     attached_(attached),
     shifts_(1, Zero),
+    occupied_(boundBox::invertedBox),
     grid_(domain, gridSize(shapes, spacing), nDims())
 {
     for (direction d = 0; d < nDims(); ++d)

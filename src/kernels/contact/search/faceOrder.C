@@ -40,7 +40,7 @@ void Foam::fsi::faceOrder::sortFaces(const pointField& centres)
             const label begin = faceStart_[group];
             const label end = faceStart_[group + 1];
             const label middle = (begin + end)/2;
-            boundBox box;
+            boundBox box(boundBox::invertedBox);
             for (label i = begin; i < end; ++i)
             {
                 extend(box, centres[faces_[i]]);
