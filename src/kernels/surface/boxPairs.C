@@ -5,6 +5,7 @@
 #include "ListOps.H"
 #include "labelVector.H"
 #include "openfoamVersion.H"
+#include "nullBox.H"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +84,7 @@ static DynamicList<movedBox> imagesOf
 )
 {
     const vectorField homes(homeShifts(boxes, period, nDims));
-    boundBox all(boundBox::invertedBox);
+    boundBox all(nullBox());
     labelVector n(0, 0, 0);
     forAll(boxes, i)
     {

@@ -2,7 +2,7 @@
 
 #include "closedSurface.H"
 #include "DynamicList.H"
-#include "openfoamVersion.H"
+#include "nullBox.H"
 #include "simplexDistance.H"
 #include "surfaceWinding.H"
 
@@ -65,7 +65,7 @@ void Foam::fsi::closedSurface::keepNear
     const scalar gap
 ) const
 {
-    boundBox found(boundBox::invertedBox);
+    boundBox found(nullBox());
     label n = 0;
     for (const label facei : faces)
     {

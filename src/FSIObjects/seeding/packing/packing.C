@@ -4,6 +4,7 @@
 #include "IStringStream.H"
 #include "openfoamVersion.H"
 #include "OStringStream.H"
+#include "nullBox.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -73,7 +74,7 @@ Foam::fsi::packing::packing
     period_(period),
     attached_(attached),
     shifts_(1, Zero),
-    occupied_(boundBox::invertedBox),
+    occupied_(nullBox()),
     grid_(domain, gridSize(shapes, spacing), nDims())
 {
     for (direction d = 0; d < nDims(); ++d)

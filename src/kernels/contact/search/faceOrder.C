@@ -2,6 +2,7 @@
 
 #include "faceOrder.H"
 #include "openfoamVersion.H"
+#include "nullBox.H"
 
 #include <algorithm>
 
@@ -40,7 +41,7 @@ void Foam::fsi::faceOrder::sortFaces(const pointField& centres)
             const label begin = faceStart_[group];
             const label end = faceStart_[group + 1];
             const label middle = (begin + end)/2;
-            boundBox box(boundBox::invertedBox);
+            boundBox box(nullBox());
             for (label i = begin; i < end; ++i)
             {
                 extend(box, centres[faces_[i]]);
