@@ -86,7 +86,8 @@ Foam::fsi::forcedObjects::forcedObjects
     objects_(mesh, stockViscosity(mesh), directForcing::select),
     forcing_(refCast<directForcing>(objects_.coupling())),
     timeIndex_(mesh.time().timeIndex()),
-    warned_(false)
+    warned_(false),
+    largestStep_(0)
 {
     wordList known(keys);
     known.append("U");
@@ -123,6 +124,27 @@ void Foam::fsi::forcedObjects::checkWaves()
 }
 
 
+void Foam::fsi::forcedObjects::checkStep()
+{
+    const scalar deltaT = mesh_.time().deltaTValue();
+    largestStep_ = max(largestStep_, deltaT);
+    const dictionary& controls = mesh_.time().controlDict();
+    const scalar limit =
+        controls.found("minDeltaT")
+      ? readNonNegative(controls, "minDeltaT", 0)
+      : 1e-4*largestStep_;
+    if (deltaT < limit)
+    {
+        FatalErrorInFunction
+            << "At time " << nameOf(mesh_.time()) << " the time step falls to "
+            << deltaT << " s, below " << limit << " s: the run has lost its"
+            << " stability. With direct forcing steps may be too small: take a"
+            << " larger maxCo, a larger E, or fsiPisoFoam or fsiFluid. If the"
+            << " speed is meant, set minDeltaT" << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::forcedObjects::advance()
@@ -131,6 +153,7 @@ void Foam::fsi::forcedObjects::advance()
     if (timeIndex_ != time.timeIndex())
     {
         timeIndex_ = time.timeIndex();
+        checkStep();
         checkWaves();
         auto& U = mesh_.lookupObjectRef<volVectorField>(velocityName_);
         auto& p = mesh_.lookupObjectRef<volScalarField>(pressureName_);
