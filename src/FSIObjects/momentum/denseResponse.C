@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "denseResponse.H"
+#include "columnBasis.H"
 
 #include <algorithm>
 
@@ -9,29 +10,25 @@
 void Foam::fsi::denseResponse::solveCopy
 (
     const label copyi,
-    const std::vector<Eigen::MatrixXd*>& x
+    const label first,
+    const label nColumns,
+    Eigen::MatrixXd& x
 ) const
 {
     const denseCholesky& factor = factors_[copyi];
-    const label nDims = group_.shape().nDims();
     const label n = factor.size();
     const label nRows = factor.nRows();
-    const label nColumns = nDims*label(x.size());
     columns_.resize(nRows*nColumns);
-    const auto ofCopy = [&](const label k)
-    {
-        return x[k/nDims]->col(nDims*copyi + k % nDims).data();
-    };
     for (label k = 0; k < nColumns; ++k)
     {
         double* column = columns_.data() + nRows*k;
-        std::copy_n(ofCopy(k), n, column);
+        std::copy_n(x.col(first + k).data(), n, column);
         std::fill_n(column + n, nRows - n, 0.0);
     }
     factor.solve(nColumns, columns_.data(), work_);
     for (label k = 0; k < nColumns; ++k)
     {
-        std::copy_n(columns_.data() + nRows*k, n, ofCopy(k));
+        std::copy_n(columns_.data() + nRows*k, n, x.col(first + k).data());
     }
 }
 
@@ -111,29 +108,40 @@ void Foam::fsi::denseResponse::solveMatrices
     Eigen::MatrixXd& x
 ) const
 {
+    const label nDims = group_.shape().nDims();
     x = b;
-    const std::vector<Eigen::MatrixXd*> all{&x};
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        solveCopy(copyi, all);
+        solveCopy(copyi, nDims*copyi, nDims, x);
     }
+}
+
+
+std::vector<Eigen::MatrixXd> Foam::fsi::denseResponse::multiplyModes
+(
+    std::vector<Eigen::MatrixXd>&& modes
+) const
+{
+    columnBasis basis(modes, group_.shape().nDims());
+    basis.values() = multiply(basis.values());
+    basis.combine(modes);
+    return std::move(modes);
 }
 
 
 void Foam::fsi::denseResponse::solveModes
 (
-    std::vector<Eigen::MatrixXd>& x
+    std::vector<Eigen::MatrixXd>& modes
 ) const
 {
-    std::vector<Eigen::MatrixXd*> all;
-    for (Eigen::MatrixXd& each : x)
-    {
-        all.push_back(&each);
-    }
+    columnBasis basis(modes, group_.shape().nDims());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        solveCopy(copyi, all);
+        const label first = basis.start(copyi);
+        const label nColumns = basis.start(copyi + 1) - first;
+        solveCopy(copyi, first, nColumns, basis.values());
     }
+    basis.combine(modes);
 }
 
 

@@ -4,6 +4,20 @@
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
+std::vector<Eigen::MatrixXd> Foam::fsi::sharedResponse::multiplyModes
+(
+    std::vector<Eigen::MatrixXd>&& modes
+) const
+{
+    std::vector<Eigen::MatrixXd> products;
+    for (const Eigen::MatrixXd& mode : modes)
+    {
+        products.push_back(multiply(mode));
+    }
+    return products;
+}
+
+
 void Foam::fsi::sharedResponse::makeModes()
 {
     const label nB = group_.shape().nBoundaryNodes();
@@ -17,11 +31,7 @@ void Foam::fsi::sharedResponse::makeModes()
             signs.append(mode.sign);
         }
     }
-    modes_.clear();
-    for (const Eigen::MatrixXd& rotation : rotations)
-    {
-        modes_.push_back(multiply(rotation));
-    }
+    modes_ = multiplyModes(std::vector<Eigen::MatrixXd>(rotations));
 
     const label n(rotations.size());
     added_.resize(group_.size());

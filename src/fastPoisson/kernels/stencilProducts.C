@@ -90,25 +90,52 @@ FSI_INLINE double allDots
 }
 
 
-template<class Type>
-FSI_INLINE void allDirections
+// p = factor*z + beta*p in one row
+FSI_INLINE void rowDirection
 (
     const stencil<double>& A,
+    const int row,
     const double factor,
-    const Type* __restrict__ z,
+    const float* __restrict__ z,
     const double beta,
     double* __restrict__ p
 )
 {
-    for (int r = 0; r < A.ny*A.nz; ++r)
+    #pragma omp simd
+    for (int i = row; i < row + A.nx; ++i)
     {
-        const int row = A.row(r);
-        #pragma omp simd
-        for (int i = row; i < row + A.nx; ++i)
+        p[i] = factor*z[i] + beta*p[i];
+    }
+}
+
+
+// The product follows one row (2D) or one plane (3D) behind the direction
+template<bool threeD>
+FSI_INLINE double allDirectionsAndProducts
+(
+    const stencil<double>& A,
+    const double factor,
+    const float* z,
+    const double beta,
+    double* p,
+    double* Ap
+)
+{
+    const int nRows = A.ny*A.nz;
+    const int lag = threeD ? A.ny : 1;
+    double dot = 0;
+    for (int r = 0; r < nRows + lag; ++r)
+    {
+        if (r < nRows)
         {
-            p[i] = factor*z[i] + beta*p[i];
+            rowDirection(A, A.row(r), factor, z, beta, p);
+        }
+        if (r >= lag)
+        {
+            dot += rowProduct<threeD>(A, A.row(r - lag), p, Ap);
         }
     }
+    return dot;
 }
 
 
@@ -148,21 +175,28 @@ void updateDirection
     double* p
 )
 {
-    allDirections(A, factor, z, beta, p);
+    for (int r = 0; r < A.ny*A.nz; ++r)
+    {
+        rowDirection(A, A.row(r), factor, z, beta, p);
+    }
 }
 
 
 FSI_VECTOR_CLONES
-void updateDirection
+double directionAndProduct
 (
     const stencil<double>& A,
     const double factor,
-    const double* z,
+    const float* z,
     const double beta,
-    double* p
+    double* p,
+    double* Ap
 )
 {
-    allDirections(A, factor, z, beta, p);
+    return
+        A.threeD
+      ? allDirectionsAndProducts<true>(A, factor, z, beta, p, Ap)
+      : allDirectionsAndProducts<false>(A, factor, z, beta, p, Ap);
 }
 
 

@@ -8,7 +8,8 @@
 Foam::scalar Foam::fsi::cartesianMultigrid::nextDirection
 (
     const scalar residual,
-    const scalar oldProduct
+    const scalar oldProduct,
+    scalar& pAp
 ) const
 {
     // Single precision needs values of order one
@@ -24,7 +25,11 @@ Foam::scalar Foam::fsi::cartesianMultigrid::nextDirection
     const scalar rz =
         total(factor*dotProduct(A, r_.cdata(), finest.x().cdata()));
     const scalar beta = oldProduct > 0 ? rz/oldProduct : 0;
-    updateDirection(A, factor, finest.x().cdata(), beta, p_.data());
+    pAp =
+        total
+        (
+            sum_.multiplyNext(factor, finest.x().cdata(), beta, p_, Ap_)
+        );
     return rz;
 }
 
@@ -39,8 +44,8 @@ void Foam::fsi::cartesianMultigrid::iterate
     scalar rz = 0;
     do
     {
-        rz = nextDirection(factor*result.finalResidual(), rz);
-        const scalar pAp = total(sum_.multiply(p_, Ap_));
+        scalar pAp = 0;
+        rz = nextDirection(factor*result.finalResidual(), rz, pAp);
         if (result.checkSingularity(mag(pAp)/factor))
         {
             break;

@@ -43,6 +43,26 @@ void Foam::fsi::matrixWithTerm::addByCells
 }
 
 
+Foam::scalar Foam::fsi::matrixWithTerm::withTerm
+(
+    const scalar dot,
+    const scalarField& p,
+    scalarField& Ap
+)
+{
+    if (term_ && term_->cells())
+    {
+        return dot + addSparse(p, Ap);
+    }
+    if (term_)
+    {
+        addByCells(p, Ap);
+        return dotProduct(matrix_.A(), p.cdata(), Ap.cdata());
+    }
+    return dot;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::matrixWithTerm::matrixWithTerm(const structuredMatrix& matrix)
@@ -71,17 +91,28 @@ Foam::scalar Foam::fsi::matrixWithTerm::multiply
 )
 {
     matrix_.halo().fill(p.data());
-    scalar dot = product(matrix_.A(), p.cdata(), Ap.data());
-    if (term_ && term_->cells())
+    return withTerm(product(matrix_.A(), p.cdata(), Ap.data()), p, Ap);
+}
+
+
+Foam::scalar Foam::fsi::matrixWithTerm::multiplyNext
+(
+    const scalar factor,
+    const float* z,
+    const scalar beta,
+    scalarField& p,
+    scalarField& Ap
+)
+{
+    const stencil<double>& A = matrix_.A();
+    if (matrix_.lattice().layout().coupled())
     {
-        dot += addSparse(p, Ap);
+        updateDirection(A, factor, z, beta, p.data());
+        return multiply(p, Ap);
     }
-    else if (term_)
-    {
-        addByCells(p, Ap);
-        dot = dotProduct(matrix_.A(), p.cdata(), Ap.cdata());
-    }
-    return dot;
+    const scalar dot =
+        directionAndProduct(A, factor, z, beta, p.data(), Ap.data());
+    return withTerm(dot, p, Ap);
 }
 
 

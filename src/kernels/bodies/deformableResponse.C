@@ -2,8 +2,28 @@
 
 #include "deformableResponse.H"
 #include "bodyVolume.H"
+#include "columnBasis.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::deformableResponse::solveModes
+(
+    rigidModes::modeList& modes
+) const
+{
+    if (shape_.nDims() == 3 && !matrix()->coupled())
+    {
+        columnBasis basis(modes, shape_.nDims());
+        matrix()->solve(basis.values());
+        basis.combine(modes);
+        return;
+    }
+    for (Eigen::MatrixXd& mode : modes)
+    {
+        matrix()->solve(mode);
+    }
+}
+
 
 Foam::fsi::rigidModes::modeList Foam::fsi::deformableResponse::elasticParts
 (
@@ -16,15 +36,15 @@ Foam::fsi::rigidModes::modeList Foam::fsi::deformableResponse::elasticParts
         shape_.nNodes()
     );
     const label n(rotations.size());
-    rigidModes::modeList momenta(n), parts(n);
+    const direction nDims = shape_.nDims();
+    rigidModes::modeList momenta(n);
     for (label k = 0; k < n; ++k)
     {
         momenta[k] = masses.asDiagonal()*rotations[k];
-        parts[k] = momenta[k];
-        matrix()->solve(parts[k]);
     }
+    rigidModes::modeList parts(momenta);
+    solveModes(parts);
 
-    const direction nDims = shape_.nDims();
     rigidModes::smallMatrix products(n, n);
     for (label copyi = 0; copyi < nCopies(); ++copyi)
     {

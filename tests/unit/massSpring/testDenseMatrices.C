@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "columnBasis.H"
 #include "denseCholesky.H"
 #include "densePanels.H"
+#include "rigidModes.H"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -132,6 +134,67 @@ TEST(denseMatrices, aColumnDoesNotDependOnThoseBesideIt)
         factor.solve(1, column.data(), work);
         EXPECT_EQ(column, solved.col(c)) << c;
     }
+}
+
+
+TEST(denseMatrices, rotationsHaveABasisOfThreeColumns)
+{
+    // Three copies of a body; a mode that is no rotation adds three columns
+    const label n = 40;
+    const scalarField masses(n, 0.5);
+    const Eigen::MatrixXd positions(numbers(n, 9));
+    std::vector<Eigen::MatrixXd> modes
+    (
+        rigidModes::rotations(masses, positions, 3)
+    );
+    ASSERT_EQ(modes.size(), 3u);
+    EXPECT_EQ(columnBasis(modes, 3).start(3), 9);
+    modes.push_back(numbers(n, 9).cwiseAbs2());
+    columnBasis basis(modes, 3);
+    EXPECT_EQ(basis.start(1), 6);
+    EXPECT_EQ(basis.start(3), 18);
+
+    const Eigen::MatrixXd A(symmetric(n).topRows(7));
+    std::vector<Eigen::MatrixXd> products(modes);
+    basis.values() = (A*basis.values()).eval();
+    basis.combine(products);
+    for (size_t mode = 0; mode < modes.size(); ++mode)
+    {
+        const Eigen::MatrixXd expected(A*modes[mode]);
+        EXPECT_LT
+        (
+            (products[mode] - expected).cwiseAbs().maxCoeff(),
+            1e-13*expected.cwiseAbs().maxCoeff()
+        ) << mode;
+    }
+}
+
+
+TEST(denseMatrices, aCopysBasisDoesNotDependOnTheOthers)
+{
+    const scalarField masses(30, 1.0);
+    const Eigen::MatrixXd positions(numbers(30, 9));
+    std::vector<Eigen::MatrixXd> modes
+    (
+        rigidModes::rotations(masses, positions, 3)
+    );
+    columnBasis all(modes, 3);
+    for (Eigen::MatrixXd& mode : modes)
+    {
+        mode = mode.middleCols(3, 3).eval();
+    }
+    columnBasis one(modes, 3);
+    EXPECT_EQ(one.values(), all.values().middleCols(3, 3));
+}
+
+
+TEST(denseMatrices, modesOfZeroHaveNoBasis)
+{
+    std::vector<Eigen::MatrixXd> modes(2, Eigen::MatrixXd::Zero(5, 3));
+    columnBasis basis(modes, 3);
+    EXPECT_EQ(basis.start(1), 0);
+    basis.combine(modes);
+    EXPECT_EQ(modes[1], Eigen::MatrixXd::Zero(5, 3));
 }
 
 
