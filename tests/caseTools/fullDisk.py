@@ -82,8 +82,9 @@ def outcome(base, folder, position, whole):
         shutil.copytree(base, case)
         status, text = run(case, log, None if mounted else 1 + position//50)
         if status == 0:
-            good = written(case) == whole
-            return ("all written" if good else "silent"), text
+            found = written(case)
+            wrong = [k for k in whole if found.get(k) != whole[k]]
+            return ("silent" if wrong else "all written"), " ".join(wrong)
         note = ("complete time is" in text or "No time is complete" in text
                 or "annot open" in text or "Cannot write" in text)
         clear = status > 0 and "FOAM FATAL" in text

@@ -5,10 +5,10 @@ and the entry; never by a signal, never without an end.
 
     fuzz.py FOLDER [N [SEED]]
 
-A file of the case (state, shapes, dictionaries, tables of points, a surface)
-gets one fault: bytes changed, taken out or doubled, a number made absurd, a
-word exchanged, the end cut off. Half of the state files lose their check sums
-first, so that the checks behind them are met too.
+A file of the case (state, shapes, dictionaries, mesh, fields, tables of points
+and places, a surface) gets one fault: bytes changed, taken out or doubled, a
+number made absurd, a word exchanged, the end cut off. Half of the state files
+lose their check sums first, so that the checks behind them are met too.
 """
 
 import os
@@ -32,6 +32,7 @@ ball
 """
 
 PLACEMENTS = """
+table { type csv; shape disc; file "places.csv"; }
 discs { type listed; shape disc; objects ({ centre (0.25 0.25 0); }); }
 cells { type listed; shape cell; objects ({ centre (0.75 0.75 0); }); }
 balls { type listed; shape ball; objects ({ centre (0.25 0.75 0); }); }
@@ -43,16 +44,28 @@ levelSet { type rebuilt; }
 output { globalEvery 1; }
 """
 
+TABLES = {"points.csv": "0,0\n0.25,0\n0.3,0.2\n0.1,0.25\n0,0.2\n",
+          "places.csv": "x,y,rotation\n0.75,0.22,30\n"}
+
+BODY = """body { shape { type surface; file "body.stl"; cornerAngle 180; }
+    material { density 1.1; E 100; } }"""
+
 TIME = "0.02"
 STATE = [f"{TIME}/uniform/fsiObjects/{s}" for s in ("disc", "cell", "ball")]
 STATE += [f"{TIME}/uniform/{f}" for f in ("fsiPopulation", "fsiRestart")]
 SHAPE_FILES = [f"constant/fsiObjects/{s}" for s in ("disc", "cell", "ball")]
+MESH = [f"constant/polyMesh/{f}" for f in
+        ("points", "faces", "owner", "neighbour", "boundary")]
 PROGRAMS = {
     **{f: "fsiPisoFoam" for f in STATE + SHAPE_FILES},
     "constant/fsiProperties": "fsiPisoFoam",
     "system/seedObjectsDict": "seedObjects",
     "points.csv": "seedObjects",
+    "places.csv": "seedObjects",
     "postProcessing/fsiObjects/0/global.csv": "checkObjects",
+    **{f: "fsiPisoFoam" for f in MESH},
+    f"{TIME}/p": "fsiPisoFoam",
+    f"{TIME}/U": "fsiPisoFoam",
 }
 NUMBERS = (b"0", b"-1", b"1e300", b"-1e300", b"nan", b"999999999999",
            b"1e-300", b"2147483647", b"-2147483648", b"0.5", b"1000000")
@@ -123,7 +136,12 @@ def names_place(message, path, text):
         return True
     # What an outline's points make is told of the dictionary that names it
     if path == "points.csv" and "seedObjectsDict" in message:
-        return "'shape'" in message or "shapes" in message
+        return ("'shape'" in message or "shapes" in message
+                or "(ball of placement balls" in message)
+    # Sound files of another mesh: it is named, with a cell or a patch of it
+    if path in MESH and re.search(
+            r"polyMesh.*(cell \d+ with centre|has a face at)", message, re.S):
+        return True
     if os.path.basename(path) not in message:
         return False
     return bool(re.search(r"\bline \d+|\bat line|\bheader\b", message)
@@ -155,49 +173,81 @@ def outcome(case, path, program):
     return ("clear" if clear else "unclear"), message
 
 
-def set_up(folder, write_format):
-    """A case with its first time written."""
+def go_on(case):
+    """Writes a case's first time, from which it then starts."""
+    case.set_up()
+    case.run("fsiPisoFoam")
+    case.control(startFrom="latestTime", endTime=0.03, writeInterval=100)
+
+
+def flat_case(folder, write_format):
+    """Discs, membranes and a moved polygon, with their first time written; its
+    folder, and what runs on which of its files."""
     case = fsiCase.Case(
         os.path.join(folder, "case" + write_format), cells=(20, 20),
         deltaT=0.01,
         endTime=TIME, writeInterval=2, walls={"top": "(1 0 0)"},
         shapes=SHAPES, placements=PLACEMENTS, properties=PROPERTIES,
         writeFormat=write_format)
-    with open(os.path.join(case.path, "points.csv"), "w",
+    for name, text in TABLES.items():
+        with open(os.path.join(case.path, name), "w",
+                  encoding="ascii") as stream:
+            stream.write(text)
+    go_on(case)
+    return case.path, PROGRAMS
+
+
+def solid_case(folder):
+    """A body from a surface file, in three dimensions."""
+    case = fsiCase.Case(
+        os.path.join(folder, "solid"), box=(0, 0, 0, 1, 1, 1),
+        cells=(10, 10, 10), deltaT=0.01, endTime=TIME, writeInterval=2,
+        walls={"top": "(1 0 0)"}, shapes=BODY,
+        placements="a { type listed; shape body; "
+        "objects ({ centre (0.5 0.5 0.5); }); }")
+    corners = [tuple(0.35*s*(i == axis) for i in range(3))
+               for axis in range(3) for s in (1, -1)]
+    with open(os.path.join(case.path, "body.stl"), "w",
               encoding="ascii") as stream:
-        stream.write("0,0\n0.25,0\n0.3,0.2\n0.1,0.25\n0,0.2\n")
-    case.set_up()
-    case.run("fsiPisoFoam")
-    case.control(startFrom="latestTime", endTime=0.03, writeInterval=100)
-    return case.path
+        stream.write("solid body\n" + "".join(
+            "facet normal 0 0 0\nouter loop\n" + "".join(
+                "vertex {} {} {}\n".format(*corners[c]) for c in
+                ((a, b, c) if (a + b + c) % 2 == 0 else (a, c, b)))
+            + "endloop\nendfacet\n"
+            for a in (0, 1) for b in (2, 3) for c in (4, 5)) + "endsolid\n")
+    go_on(case)
+    return case.path, {
+        "body.stl": "seedObjects", "constant/fsiObjects/body": "fsiPisoFoam",
+        f"{TIME}/uniform/fsiObjects/body": "fsiPisoFoam"}
 
 
 def one(cases, folder, dice):
     """One damaged file; its outcome, a description and the message."""
-    case = dice.choice(cases)
-    path = dice.choice(list(PROGRAMS))
-    program = PROGRAMS[path]
+    case, programs = dice.choice(cases)
+    path = dice.choice(list(programs))
     wrong = os.path.join(folder, "wrong")
     shutil.rmtree(wrong, ignore_errors=True)
     shutil.copytree(case, wrong)
     file = os.path.join(wrong, path)
     with open(file, "rb") as stream:
         data = stream.read()
-    bare = path in STATE + SHAPE_FILES and dice.random() < 0.5
+    bare = "/fsi" in path and path.startswith((TIME, "constant/fsiObjects")) \
+        and dice.random() < 0.5
     if bare:
         data = results.without_sums(data.decode("latin1")).encode("latin1")
     change = dice.choice(CHANGES)
     with open(file, "wb") as stream:
         stream.write(change(data, dice))
-    word, message = outcome(wrong, path, program)
-    name = change.__name__
-    return word, f"{path} {name}{' without sums' if bare else ''}", message
+    word, message = outcome(wrong, path, programs[path])
+    return (word, f"{path} {change.__name__}"
+            f"{' without sums' if bare else ''}", message)
 
 
 def main(folder, count=200, seed=1):
     """The damaged files."""
     report = fsiCase.Report()
-    cases = [set_up(folder, f) for f in ("ascii", "binary")]
+    flat = [flat_case(folder, f) for f in ("ascii", "binary")]
+    cases = 3*flat + [solid_case(folder)]
     dice = random.Random(int(seed))
     counts = dict.fromkeys(
         ("accepted", "clear", "unclear", "signal", "endless"), 0)

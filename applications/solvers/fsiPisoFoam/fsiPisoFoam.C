@@ -42,7 +42,9 @@ Description
 #include "fvOptions.H"
 #include "caseLock.H"
 #include "fieldChecks.H"
+#include "fileHeaders.H"
 #include "fluidStep.H"
+#include "meshFiles.H"
 #include "openfoamVersion.H"
 #include "optionSources.H"
 #include "timeStep.H"
@@ -63,7 +65,9 @@ int main(int argc, char *argv[])
     #include "setRootCaseLists.H"
     const fsi::caseLock lock(args.globalPath());
     fsi::writtenFiles::setAside(args);
+    fsi::fileHeaders::check(args.globalPath()/"system");
     #include "createTime.H"
+    fsi::meshFiles::check(runTime, polyMesh::defaultRegion);
     #include "createMesh.H"
     #include "createFields.H"
     #include "createFvOptions.H"
@@ -76,6 +80,7 @@ int main(int argc, char *argv[])
 
     while (runTime.run())
     {
+        fsi::writtenFiles::check(runTime);
         const scalar deltaT = timeStep.next(phi, objects);
         if (timeStep.adjusts())
         {
@@ -86,12 +91,14 @@ int main(int argc, char *argv[])
 
         step.advance(sources);
 
-        fsi::writtenFiles::writeAndCheck
+        fsi::writtenFiles::write
         (
             runTime, [&]() { timeStep.write(); objects.write(); }
         );
     }
 
+    fsi::writtenFiles::check(runTime);
+    objects.checkCrossing();
     objects.summary(Info);
     Info<< "End\n" << endl;
 

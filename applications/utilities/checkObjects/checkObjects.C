@@ -42,6 +42,7 @@ Usage
 
 #include "argList.H"
 #include "historyCheck.H"
+#include "meshFiles.H"
 #include "openBoundaries.H"
 #include "openfoamCase.H"
 #include "openfoamVersion.H"

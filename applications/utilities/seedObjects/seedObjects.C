@@ -30,6 +30,7 @@ Usage
 #include "OSspecific.H"
 #include "cartesianMesh.H"
 #include "contact.H"
+#include "meshFiles.H"
 #include "objectPolyData.H"
 #include "openfoamCase.H"
 #include "seeding.H"

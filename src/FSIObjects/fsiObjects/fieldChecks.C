@@ -3,6 +3,7 @@
 #include "fieldChecks.H"
 #include "dictionaryCheck.H"
 #include "errorOf.H"
+#include "fluidRegions.H"
 #include "fsiSystem.H"
 #include "openfoamMesh.H"
 #include "sumOverRanks.H"
@@ -143,6 +144,42 @@ static void checkInlets(const volVectorField& U, const boolList& active)
     }
 }
 
+
+//- Fatal if fluid is driven into a region that it cannot leave
+static void checkRegions
+(
+    const volScalarField& p,
+    const volVectorField& U,
+    const fsiSystem& system
+)
+{
+    const surfaceSet& surfaces = system.objects.surfaces();
+    boolList moves(system.objects.size(), false);
+    forAll(moves, objecti)
+    {
+        moves[objecti] = system.objects.movesFreely(objecti);
+    }
+    forAll(surfaces.velocities(), pointi)
+    {
+        if (mag(surfaces.velocities()[pointi]) > 0)
+        {
+            moves[surfaces.pointObject()[pointi]] = true;
+        }
+    }
+    scalar inflow = 0;
+    const label patchi =
+        fluidRegions(system.geometry, p).closedInlet(U, moves, inflow);
+    if (patchi >= 0)
+    {
+        FatalErrorInFunction
+            << "Entry '" << U.boundaryField()[patchi].patch().name()
+            << "' in file " << pathOf(U) << " drives " << inflow
+            << " m3/s into a part of the fluid that has no patch of given"
+            << " pressure: it can go nowhere. Do objects close the channel?"
+            << exit(FatalError);
+    }
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -162,6 +199,7 @@ void Foam::fsi::fieldChecks::check
     checkControls(p.mesh(), p.name());
     checkControls(p.mesh(), U.name());
     checkInlets(U, system.geometry.activeCell());
+    checkRegions(p, U, system);
 }
 
 

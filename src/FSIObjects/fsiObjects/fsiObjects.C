@@ -149,6 +149,7 @@ void Foam::fsi::fsiObjects::startStep
     volVectorField& U
 )
 {
+    checkCrossing();
     const stepTimer::section solids(timer_, stepTimer::part::solids);
     if (boundaries_.update(mesh_.time().value() - system_.deltaT()))
     {

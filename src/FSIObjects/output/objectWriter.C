@@ -14,8 +14,12 @@ namespace Foam
 namespace fsi
 {
 
-//- Warn of objects whose surface cuts itself
-static void warnOfCrossing(const scalar time, const population& objects)
+static const char* const crossingAdvice =
+    "take a smaller deltaT or a finer mesh, or stiffer objects";
+
+
+//- Ids of the free objects whose surface cuts itself
+static labelList crossedObjects(const population& objects)
 {
     DynamicList<label> ids;
     for (label objecti = 0; objecti < objects.size(); ++objecti)
@@ -29,14 +33,7 @@ static void warnOfCrossing(const scalar time, const population& objects)
             ids.append(objects.objectId(objecti));
         }
     }
-    if (ids.size())
-    {
-        WarningInFunction
-            << "At time " << time << " the surfaces of these objects cut"
-            << " themselves: " << flatOutput(ids) << nl
-            << "    The run is wrong from here: take a smaller deltaT or a"
-            << " finer mesh, or stiffer objects" << nl << endl;
-    }
+    return labelList(ids);
 }
 
 } // End namespace fsi
@@ -55,12 +52,19 @@ Foam::fsi::objectWriter::objectWriter
     nDims_(nDims),
     globalEvery_(readAtLeast(dict, "globalEvery", 1, 1)),
     objectsEvery_(readAtLeast(dict, "objectsEvery", 0, 0)),
-    nSteps_(0)
+    nSteps_(0),
+    stopsAtCrossing_
+    (
+        readChoice(dict, "crossing", "stop", {"stop", "warn"}) == "stop"
+    )
 {
     checkKeys
     (
         dict,
-        {"surfaces", "springs", "binary", "globalEvery", "objectsEvery", "log"}
+        {
+            "surfaces", "springs", "binary", "globalEvery", "objectsEvery",
+            "log", "crossing"
+        }
     );
     if (!Pstream::master())
     {
@@ -128,7 +132,16 @@ void Foam::fsi::objectWriter::writeShapes
 {
     if (globalTable_.valid())
     {
-        warnOfCrossing(time, objects);
+        crossed_ = crossedObjects(objects);
+        crossedAt_ = time;
+        if (crossed_.size())
+        {
+            WarningInFunction
+                << "At time " << time << " the surfaces of these objects cut"
+                << " themselves: " << flatOutput(crossed_) << nl
+                << "    The run is wrong from here: " << crossingAdvice << nl
+                << endl;
+        }
     }
     if (surfaceSeries_.valid())
     {
@@ -137,6 +150,20 @@ void Foam::fsi::objectWriter::writeShapes
     if (springSeries_.valid())
     {
         springSeries_().write(springPolyData(objects), time);
+    }
+}
+
+
+void Foam::fsi::objectWriter::checkCrossing() const
+{
+    if (crossed_.size() && stopsAtCrossing_)
+    {
+        FatalErrorInFunction
+            << "At time " << crossedAt_ << ", which is written, the surfaces of"
+            << " these objects cut themselves: " << flatOutput(crossed_) << nl
+            << "The run is wrong from there: " << crossingAdvice << nl
+            << "Entry 'crossing warn' in 'output' of fsiProperties lets a run"
+            << " go on all the same" << exit(FatalError);
     }
 }
 

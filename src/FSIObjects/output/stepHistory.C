@@ -6,6 +6,7 @@
 #include "openfoamVersion.H"
 #include "OSspecific.H"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -102,6 +103,11 @@ void Foam::fsi::stepHistory::read(const fileName& file)
     std::string line;
     std::getline(is, line);
     const DynamicList<string> names(split(line));
+    if (std::find(names.begin(), names.end(), "time") == names.end())
+    {
+        faults_.append("Line 1 of " + file + " has no column time");
+        return;
+    }
     scalarList numbers(names.size());
     for (label linei = 2; std::getline(is, line); ++linei)
     {

@@ -116,7 +116,11 @@ Foam::fileName Foam::fsi::writtenFiles::fault
             return timeFolder/name;
         }
     }
-    for (const char* local : {"", "uniform", "uniform/fsiObjects"})
+    for
+    (
+        const char* local :
+        {"", "uniform", "uniform/fsiObjects", "uniform/functionObjects"}
+    )
     {
         const fileName folder(timeFolder/fileName(local));
         for (const fileName& file : filesIn(folder))
@@ -161,7 +165,7 @@ Foam::string Foam::fsi::writtenFiles::lastTimeNote(const fileName& caseFolder)
 }
 
 
-void Foam::fsi::writtenFiles::writeAndCheck
+void Foam::fsi::writtenFiles::write
 (
     Time& time,
     const std::function<void()>& writeOthers
@@ -183,11 +187,24 @@ void Foam::fsi::writtenFiles::writeAndCheck
             << "Is the disk full? "
             << lastTimeNote(time.globalPath()).c_str() << exit(FatalError);
     }
+}
+
+
+void Foam::fsi::writtenFiles::check(const Time& time)
+{
     if (!time.writeTime())
     {
         return;
     }
-    const fileName wrong(fault(time.timePath(), true));
+    fileName wrong(fault(time.timePath(), true));
+    const fileName state
+    (
+        time.timePath()/"uniform"/"functionObjects"/"functionObjectProperties"
+    );
+    if (wrong.empty() && writesFunctionState(time) && !isFile(state))
+    {
+        wrong = state;
+    }
     if (!wrong.empty())
     {
         FatalErrorInFunction

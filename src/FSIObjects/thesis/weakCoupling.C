@@ -127,7 +127,7 @@ void Foam::fsi::weakCoupling::solvePressure
 
     system_.walls.flux(-wallVelocity_, pEqn.source());
     subtractOutflow(phiHbyA, pEqn.source());
-    removeNetSource(system_.geometry, p, pEqn.source());
+    fluidRegions(system_.geometry, p).removeNetSource(pEqn.source());
 
     solveFluidPressure(p, pEqn);
     subtractGradient(system_.geometry, p, rAU, phiHbyA);

@@ -3,16 +3,24 @@
 #include "errorOf.H"
 
 #include <cmath>
+#include <new>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 int Foam::fsi::thrownErrors::depth_ = 0;
+
+//- What operator new calls outside errorOf: OpenFOAM's aborts
+static std::new_handler handlerBefore = nullptr;
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::thrownErrors::thrownErrors()
 {
+    if (depth_ == 0)
+    {
+        handlerBefore = std::set_new_handler(nullptr);
+    }
     ++depth_;
     FatalError.throwExceptions();
     FatalIOError.throwExceptions();
@@ -26,6 +34,7 @@ Foam::fsi::thrownErrors::~thrownErrors()
     {
         FatalError.dontThrowExceptions();
         FatalIOError.dontThrowExceptions();
+        std::set_new_handler(handlerBefore);
     }
 }
 
@@ -48,6 +57,10 @@ Foam::fsi::caughtError Foam::fsi::errorOf(const std::function<void()>& code)
     catch (const error& error)
     {
         caught.message = error.message();
+    }
+    catch (const std::bad_alloc&)
+    {
+        caught.message = "more memory is asked for than there is";
     }
     catch (const std::exception& error)
     {

@@ -3,6 +3,7 @@
 #include "medialAxisSearch.H"
 #include "addToRunTimeSelectionTable.H"
 #include "openfoamVersion.H"
+#include "Switch.H"
 
 #include <algorithm>
 #include <nanoflann.hpp>
@@ -63,7 +64,15 @@ namespace fsi
 Foam::fsi::medialAxisSearch::medialAxisSearch(const dictionary& dict)
 :
     contactSearch(dict)
-{}
+{
+    if (dict.lookupOrDefault<Switch>("selfContact", false))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'selfContact' in dictionary " << dict.name() << " is on,"
+            << " but type medialAxis finds no pairs within one object: take"
+            << " surfaceCells or surfaceTree" << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

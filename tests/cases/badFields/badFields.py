@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fields, controls and meshes that have no meaning end fsiPisoFoam in an error
-that names file and entry; a time step that collapses ends it as well; the
+that names file and entry; a time step that collapses and a surface that cuts
+itself end it as well; the
 function object solverInfo finds our fields.
 
     badFields.py FOLDER
@@ -19,6 +20,8 @@ DISC = "disc { shape { type circle; radius 0.15; } material { density 1.1; "\
 ONE = "a { type listed; shape disc; objects ({ centre (0.5 0.5 0); }); }"
 POST = """post { shape { type polygon; file "post.csv"; }
     material { type rigid; density 1; } motion { type fixed; } }"""
+CLOSES = "-0.3,-0.7\n0.2,-0.7\n0.2,0.7\n-0.3,0.7\n"
+FREE = "-0.15,-0.49\n0.15,-0.49\n0.15,0.49\n-0.15,0.49\n"
 BEHIND = "a { type listed; shape post; objects ({ centre (0.15 0.5 0); }); }"
 
 INLET = {"left": ("type fixedValue; value uniform (1 0 0);",
@@ -104,9 +107,50 @@ def check_inlet(report, folder):
                         placements=BEHIND)
     with open(os.path.join(case.path, "post.csv"), "w",
               encoding="ascii") as stream:
-        stream.write("-0.3,-0.7\n0.2,-0.7\n0.2,0.7\n-0.3,0.7\n")
+        stream.write(CLOSES)
     if report.attempt("set-up of the inlet", case.set_up):
         refused(report, "blocked inlet", case, ("0/U", "'left'", "block"))
+
+
+def check_dead_end(report, folder):
+    """A fixed object closes the channel, some way behind the inlet."""
+    for name, more, texts in (
+            ("a channel closed by a fixed object", "motion { type fixed; }",
+             ("0/U", "'left'", "m3/s", "nowhere")),
+            ("a channel closed by a free object", "", None)):
+        case = fsiCase.Case(
+            os.path.join(folder, "dead"), cells=(20, 20), endTime=0.02,
+            open=INLET, shapes=POST.replace("motion { type fixed; }", more),
+            placements=BEHIND.replace("0.15 0.5", "0.6 0.5"))
+        with open(os.path.join(case.path, "post.csv"), "w",
+                  encoding="ascii") as stream:
+            stream.write(CLOSES if more else FREE)
+        if report.attempt("set-up of " + name, case.set_up):
+            if texts:
+                refused(report, name, case, texts)
+            else:
+                report.check(name, case.run("fsiPisoFoam").rstrip().endswith(
+                    "End"))
+
+
+def check_crossing(report, folder):
+    """A heavy soft disc falls flat; the run ends, or goes on if it may."""
+    for choice in ("stop", "warn"):
+        case = fsiCase.Case(
+            os.path.join(folder, choice), cells=(40, 40), deltaT=0.01,
+            adjustTimeStep="yes", maxDeltaT=0.01, endTime=2, writeInterval=20,
+            gravity="(0 -1 0)", shapes=DISC.replace("1.1; E 20", "1000; E 100"),
+            placements=ONE, properties=f"output {{ crossing {choice}; }}\n")
+        if not report.attempt("set-up of the falling disc", case.set_up):
+            continue
+        if choice == "stop":
+            refused(report, "a surface that cuts itself ends the run", case,
+                    ("At time", "cut themselves: 1(0)", "crossing warn"))
+        else:
+            log = case.run("fsiPisoFoam")
+            report.check("crossing warn: the run goes on",
+                         "cut themselves: 1(0)" in log
+                         and log.rstrip().endswith("End"), log[-300:])
 
 
 def check_walls(report, folder):
@@ -161,6 +205,8 @@ def main(folder):
     report.attempt("solverInfo", check_solver_info, report, case)
     case.control(functions="{ }")
     report.attempt("blocked inlet", check_inlet, report, folder)
+    report.attempt("dead end", check_dead_end, report, folder)
+    report.attempt("crossing", check_crossing, report, folder)
     report.attempt("walls inside", check_walls, report, folder)
     report.attempt("collapse", check_collapse, report, case)
 

@@ -112,6 +112,9 @@ REFUSED = {
     "an STL of words": (
         "words.stl", "solid body\nfacet this is none\nendsolid\n", "", MIDDLE,
         ("'file'", "words.stl")),
+    "an STL with a coordinate that fits no float": (
+        "far.stl", re.sub(r"vertex \S+", "vertex 1e300", stl(BOX), count=1),
+        "", MIDDLE, ("'file'", "far.stl", "1e15")),
     "an STL that is cut off": (
         "cut.stl", stl(BOX)[:700], "", MIDDLE, ("'file'", "cut.stl")),
 }

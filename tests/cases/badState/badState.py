@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A damaged file of a case's state or shapes ends the run in an error that
-names file and entry, whether or not the file still has its check sums;
+"""A damaged file of a case's state, shapes or mesh ends the run in an error
+that names file and entry, whether or not the file still has its check sums;
 missing restart files are noticed, and so are damaged tables and ranks that
 hold different objects.
 
@@ -28,6 +28,8 @@ cells { type listed; shape cell; objects ({ centre (0.7 0.7 0); }); }
 STATE = "0.02/uniform/fsiObjects/disc"
 SHAPE = "constant/fsiObjects/disc"
 COUNTS = "0.02/uniform/fsiPopulation"
+
+MESH = "constant/polyMesh/"
 
 OLD_ID = r"(objectIds\s+(?:List<label>\s+)?\d+\s*\(\s*)\d"
 
@@ -71,7 +73,31 @@ EDITS = [
      "periods"),
 ]
 
-# Of those, the ones that only a check sum can notice
+# The same of the mesh's files and of headers: what is named
+FILE_EDITS = [
+    (MESH + "points", r"\(\S+ ", "(nan ", "line"),
+    (MESH + "points", r"\(\S+ ", "(1e300 ", "point 0"),
+    (MESH + "points", r"\n\d+\n\(", "\n2147483647\n(", "memory"),
+    (MESH + "faces", r"4\(\d+ ", "4(-1 ", "face 0"),
+    (MESH + "faces", r"4\(\d+ ", "4(99999 ", "face 0"),
+    (MESH + "faces", r"4\((\d+) (\d+) ", r"4(\1 \1 ", "face 0"),
+    (MESH + "owner", r"\n0\n", "\n-3\n", "face 0"),
+    (MESH + "owner", r"\n0\n", "\n2147483647\n", "face 0"),
+    (MESH + "owner", r"(?s)(.*)\n\d+\n\)", r"\1\n700\n)", "cell 576"),
+    (MESH + "neighbour", r"\n1\n", "\n0\n", "face 0"),
+    (MESH + "boundary", r"startFace\s+\d+", "startFace 7", "patch 'left'"),
+    (MESH + "boundary", r"nFaces\s+\d+", "nFaces -7", "patch 'left'"),
+    (MESH + "boundary", r"startFace\s+\d+;", "", "startFace"),
+    (MESH + "boundary", r"type\s+wall;", "", "patch 'left'"),
+    (MESH + "boundary", r"1\(wall\)", "2147483647(wall)", "patch 'left'"),
+    (MESH + "owner", r"version .*;", "version 1e300;", "'version'"),
+    ("0.02/U", r"version .*;", "version -2147483648;", "'version'"),
+    ("constant/fsiProperties", r"version .*;", "version 1e9;", "'version'"),
+    ("0.02/p", r"version .*;", "version nan;", "'version'"),
+    ("system/controlDict", r"version .*;", "version 1e9;", "'version'"),
+]
+
+# Of those above, the ones that only a check sum can notice
 SILENT = [
     (STATE, r"(velocities\s+List<scalar>\s+\d+\s*\(\s*\S+\s+)\S+",
      r"\g<1>0.125", "velocities"),
@@ -127,6 +153,22 @@ def check_edits(report, case, folder):
             report.check(name, start and named
                          and os.path.basename(path) in message,
                          " ".join(message.split())[:400])
+
+
+def check_files(report, case, folder):
+    """Each edit of a mesh, and of a header."""
+    for path, pattern, change, named in FILE_EDITS:
+        wrong = copy_of(case, os.path.join(folder, "wrong"))
+        text = results.read(wrong, path)
+        start = 0 if "version" in pattern else text.index("// * *")
+        new = text[:start] + re.sub(pattern, change, text[start:], count=1)
+        write(os.path.join(wrong, path), new)
+        message = failure(wrong)
+        report.check(f"{path}, {pattern} to {change}",
+                     new != text and message.startswith("--> FOAM FATAL")
+                     and named in message
+                     and os.path.basename(path) in message,
+                     " ".join(message.split())[:300])
 
 
 def check_missing(report, case, folder):
@@ -246,8 +288,8 @@ def main(folder):
                       "fsiPisoFoam")
     report.check("the sound state goes on", log.rstrip().endswith("End")
                  and "Warning" not in log, log[-300:])
-    for part in (check_edits, check_missing, check_killed, check_tables,
-                 check_ranks, check_lock):
+    for part in (check_edits, check_files, check_missing, check_killed,
+                 check_tables, check_ranks, check_lock):
         report.attempt(part.__name__, part, report, case.path, folder)
 
 

@@ -137,6 +137,13 @@ TEST(ContactSearch, walls)
 }
 
 
+TEST(ContactSearch, medialAxisRefusesSelfContact)
+{
+    EXPECT_NO_THROW(searchOf("type medialAxis; selfContact no;"));
+    EXPECT_THROW(searchOf("type medialAxis; selfContact yes;"), IOerror);
+}
+
+
 TEST(ContactSearch, medialAxis)
 {
     // Two discs 0.3 apart; the axis between them is the line x = 0

@@ -250,7 +250,7 @@ void Foam::fsi::csvPlacement::place(packing& space)
     {
         refuse(0, "there are no objects");
     }
-    insertAll(space, objects, "file");
+    insertAll(space, objects, "file", file_);
 }
 
 

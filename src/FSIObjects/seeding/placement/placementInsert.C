@@ -8,7 +8,8 @@ void Foam::fsi::placement::insertAll
 (
     packing& space,
     const UList<placedObject>& objects,
-    const word& key
+    const word& key,
+    const fileName& file
 ) const
 {
     const label maxNamed = 10;
@@ -46,6 +47,7 @@ void Foam::fsi::placement::insertAll
     {
         OSstream& os = FatalIOErrorInFunction(dict_);
         os  << "Entry '" << key << "' of placement " << name_
+            << (file.empty() ? "" : " (file " + file + ")").c_str()
             << " places objects where they cannot be:" << nl;
         for (label i = 0; i < min(refused.size(), maxNamed); ++i)
         {

@@ -7,6 +7,7 @@
 #include "dictionaryCheck.H"
 #include "errorOf.H"
 #include "mergePoints.H"
+#include "noTraps.H"
 #include "openfoamSurface.H"
 #include "OSspecific.H"
 #include "surfaceFaults.H"
@@ -108,11 +109,26 @@ Foam::fsi::shapeMesh Foam::fsi::surfaceFile::read(const dictionary& dict)
     triSurface triangles;
     const caughtError error
     (
-        errorOf([&]() { triangles = triSurface(file); })
+        errorOf
+        (
+            [&]()
+            {
+                // OpenFOAM's reader makes floats, too small for some numbers
+                const noTraps untrapped;
+                triangles = triSurface(file);
+            }
+        )
     );
     if (error.message.size())
     {
         fail(dict, file, "cannot be read: " + error.message);
+    }
+    for (const point& p : triangles.points())
+    {
+        if (!isUsable(p.x()) || !isUsable(p.y()) || !isUsable(p.z()))
+        {
+            fail(dict, file, "has a coordinate that is no number below 1e15");
+        }
     }
     if (triangles.empty())
     {
