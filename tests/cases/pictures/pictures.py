@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """etc/render makes pictures, a strip and animations of a short run, with as
 many pictures as were asked for; objects across a seam stand on both sides.
-etc/plot draws the tables of all runs of a case, and any column.
+etc/plot draws the tables of all runs of a case, and any column; etc/monitor
+hands columns to foamMonitor.
 
     pictures.py FOLDER
 """
@@ -124,6 +125,32 @@ def check_plots(report, case):
                  status == 1 and "global.csv" in text, text)
 
 
+def check_monitor(report, case, folder):
+    """etc/monitor with a gnuplot that keeps what it is to draw."""
+    os.makedirs(folder)
+    stub = os.path.join(folder, "gnuplot")
+    with open(stub, "w", encoding="ascii") as stream:
+        stream.write("#!/bin/sh\ncat $1\nexec cat $(sed -n "
+                     "'s/^\"\\(.*\\)\" using 1:2 .*/\\1/p' $1)\n")
+    os.chmod(stub, 0o755)
+
+    def monitor(*options):
+        return subprocess.run(
+            [os.path.join(ETC, "monitor"), *options, case, "-refresh", "1",
+             "-idle", "1"], capture_output=True, text=True, check=False,
+            env={**os.environ, "PATH": folder + ":" + os.environ["PATH"]})
+
+    text = monitor().stdout
+    report.check("etc/monitor gives foamMonitor the columns of global.csv",
+                 'using 1:2 with lines title "smallestGap"' in text
+                 and re.search(r"^# time smallestGap maxSpeed timeError\n"
+                               r"(\S+ \S+ \S+ \S+ \n)+", text, re.M), text)
+    done = monitor("-columns", "colour")
+    report.check("etc/monitor refuses other columns",
+                 done.returncode == 1 and "colour" in done.stderr
+                 and "maxSpeed" in done.stderr, done.stderr)
+
+
 def check_tables(report, folder):
     """The lines of two runs that share some time, the last one broken off."""
     for start, lines in (("0", "0.1,1\n0.2,2\n0.3,3\n"),
@@ -220,6 +247,7 @@ def main(folder):
     check_pictures(report, case)
     check_animations(report, case)
     check_plots(report, case)
+    check_monitor(report, case, os.path.join(folder, "stub"))
     check_tables(report, os.path.join(folder, "tables"))
 
     case = os.path.join(folder, "box")
