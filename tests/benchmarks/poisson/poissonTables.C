@@ -19,8 +19,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "poissonTables.H"
-#include "argList.H"
-#include "openfoamVersion.H"
+#include "openfoamCase.H"
 #include <algorithm>
 #include <cstdio>
 
@@ -147,11 +146,10 @@ int main(int argc, char* argv[])
 {
     using namespace Foam;
 
-    argList::noBanner();
-    argList::noCheckProcessorDirectories();
-    argList::addArgument("table");
-    argList::addArgument("cells");
-    argList::addArgument("repeats");
+    fsi::printTablesOnly();
+    fsi::addArgument("table");
+    fsi::addArgument("cells");
+    fsi::addArgument("repeats");
     argList::addOption("solver", "name", "use this solver only");
     argList args(argc, argv, true, false);
 
@@ -159,9 +157,9 @@ int main(int argc, char* argv[])
     solverPerformance::debug = 0;
 
     const word table(args[1]);
-    const label n = getEntry<label>(args, 2);
-    const label repeats = getEntry<label>(args, 3);
-    wanted = args.lookupOrDefault<string>("solver", "");
+    const label n = fsi::argumentOf<label>(args, 2);
+    const label repeats = fsi::argumentOf<label>(args, 3);
+    wanted = fsi::optionOr<string>(args, "solver", "");
     const bool passed =
         table == "patches2D" ? fsi::patchTable(2, n, repeats)
       : table == "patches3D" ? fsi::patchTable(3, n, repeats)
