@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "meanVelocityDriving.H"
+#include "errorOf.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "domainSides.H"
@@ -125,9 +126,9 @@ Foam::fsi::meanVelocityDriving::meanVelocityDriving
     const dictionary state(readState(mesh.time(), "fsiDrivingForce"));
     if (!state.empty())
     {
-        acceleration_ = getEntry<scalar>(state, "acceleration");
-        mean_ = getEntry<scalar>(state, "meanVelocity");
-        momentum_ = getEntry<scalar>(state, "momentum");
+        acceleration_ = readEntry<scalar>(state, "acceleration");
+        mean_ = readEntry<scalar>(state, "meanVelocity");
+        momentum_ = readEntry<scalar>(state, "momentum");
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "openBoundaries.H"
+#include "errorOf.H"
 #include "dictionaryCheck.H"
 #include "openfoamVersion.H"
 #include "writtenDictionary.H"
@@ -22,7 +23,7 @@ void Foam::fsi::openBoundaries::read()
     {
         return;
     }
-    removed_ = getEntry<labelList>(dict, "removed");
+    removed_ = readEntry<labelList>(dict, "removed");
     const dictionary& feeds = dict.subOrEmptyDict("feed");
     for (objectFeed& feed : feeds_)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "restartFiles.H"
+#include "errorOf.H"
 #include "dictionaryCheck.H"
 #include "openfoamMesh.H"
 #include "OSspecific.H"
@@ -157,8 +158,8 @@ void Foam::fsi::restartFiles::check(const fvMesh& mesh)
             << " ones. Take writeFormat binary, or writePrecision 17, for the"
             << " run without a stop" << nl << endl;
     }
-    const wordList fields(getEntry<wordList>(list, "fields"));
-    const wordList files(getEntry<wordList>(list, "files"));
+    const wordList fields(readEntry<wordList>(list, "fields"));
+    const wordList files(readEntry<wordList>(list, "files"));
     for (const restartFile& file : fieldFiles)
     {
         if (isIn(fields, file.name))

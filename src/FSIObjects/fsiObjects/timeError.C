@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "timeError.H"
+#include "errorOf.H"
 #include "backwardStep.H"
 #include "openfoamMesh.H"
 #include "openfoamVersion.H"
@@ -56,9 +57,9 @@ Foam::fsi::timeError::timeError(const fvMesh& mesh)
     const dictionary state(readState(mesh.time(), "fsiTimeError"));
     if (!state.empty())
     {
-        scale_ = getEntry<scalar>(state, "scale");
-        ofTime_ = getEntry<scalar>(state, "ofTime");
-        ofSplitting_ = getEntry<scalar>(state, "ofSplitting");
+        scale_ = readEntry<scalar>(state, "scale");
+        ofTime_ = readEntry<scalar>(state, "ofTime");
+        ofSplitting_ = readEntry<scalar>(state, "ofSplitting");
         state.readIfPresent("known", nKnown_);
         state.readIfPresent("before", before_);
     }

@@ -31,7 +31,7 @@ void Foam::fsi::population::readCounters()
         {"FoamFile", "nDims", "planeZ", "nextObjectId", "periods"}
     );
 
-    const label n = getEntry<label>(dict, "nDims");
+    const label n = readEntry<label>(dict, "nDims");
     if (n != 2 && n != 3)
     {
         FatalIOErrorInFunction(dict)
@@ -39,8 +39,8 @@ void Foam::fsi::population::readCounters()
             << " but must be 2 or 3" << exit(FatalIOError);
     }
     nDims_ = n;
-    planeZ_ = getEntry<scalar>(dict, "planeZ");
-    nextObjectId_ = getEntry<label>(dict, "nextObjectId");
+    planeZ_ = readEntry<scalar>(dict, "planeZ");
+    nextObjectId_ = readEntry<label>(dict, "nextObjectId");
     if (dict.found("periods"))
     {
         periods_ = readEntry<Map<labelVector>>(dict, "periods");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
+#include "errorOf.H"
 #include "openfoamVersion.H"
 #include "sumOverRanks.H"
 #include "writtenDictionary.H"
@@ -179,7 +180,10 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
     nLimited_(0)
 {
     const dictionary state(readState(system.grid.mesh().time(), "fsiContact"));
-    state.readIfPresent("nextObjectId", nextObjectId_);
+    if (state.found("nextObjectId"))
+    {
+        nextObjectId_ = readEntry<label>(state, "nextObjectId");
+    }
     state.readIfPresent("ranges", shortRanges_);
 }
 

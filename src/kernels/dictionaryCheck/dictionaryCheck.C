@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "dictionaryCheck.H"
+#include "errorOf.H"
 #include "openfoamTypes.H"
 #include "openfoamVersion.H"
 
@@ -77,14 +78,15 @@ Foam::scalar Foam::fsi::readPositive
     const scalar defaultValue
 )
 {
-    const scalar value = dict.lookupOrDefault<scalar>(key, defaultValue);
+    const scalar value =
+        dict.found(key) ? readEntry<scalar>(dict, key) : defaultValue;
     return checked(dict, key, value, value > 0 && value < GREAT, "> 0");
 }
 
 
 Foam::scalar Foam::fsi::readPositive(const dictionary& dict, const word& key)
 {
-    const scalar value = getEntry<scalar>(dict, key);
+    const scalar value = readEntry<scalar>(dict, key);
     return checked(dict, key, value, value > 0 && value < GREAT, "> 0");
 }
 
@@ -96,7 +98,8 @@ Foam::scalar Foam::fsi::readNonNegative
     const scalar defaultValue
 )
 {
-    const scalar value = dict.lookupOrDefault<scalar>(key, defaultValue);
+    const scalar value =
+        dict.found(key) ? readEntry<scalar>(dict, key) : defaultValue;
     return checked(dict, key, value, value >= 0 && value < GREAT, ">= 0");
 }
 
@@ -109,7 +112,8 @@ Foam::label Foam::fsi::readAtLeast
     const label minimum
 )
 {
-    const label value = dict.lookupOrDefault<label>(key, defaultValue);
+    const label value =
+        dict.found(key) ? readEntry<label>(dict, key) : defaultValue;
     if (value < minimum)
     {
         FatalIOErrorInFunction(dict)
@@ -128,7 +132,10 @@ Foam::word Foam::fsi::readChoice
     const wordList& choices
 )
 {
-    const word value(dict.lookupOrDefault<word>(key, defaultValue));
+    const word value
+    (
+        dict.found(key) ? readEntry<word>(dict, key) : defaultValue
+    );
     if (!isIn(choices, value))
     {
         FatalIOErrorInFunction(dict)

@@ -21,7 +21,8 @@ static Type readInRange
     const Type maximum
 )
 {
-    const Type value = dict.lookupOrDefault<Type>(key, defaultValue);
+    const Type value =
+        dict.found(key) ? readEntry<Type>(dict, key) : defaultValue;
     if (!(value >= minimum && value <= maximum))
     {
         FatalIOErrorInFunction(dict)
@@ -77,7 +78,7 @@ Foam::vector Foam::fsi::readFinite
 
 Foam::vector Foam::fsi::readFinite(const dictionary& dict, const word& key)
 {
-    const vector value(getEntry<vector>(dict, key));
+    const vector value(readEntry<vector>(dict, key));
     checkValues(dict, key, UList<scalar>(const_cast<scalar*>(value.v_), 3));
     return value;
 }

@@ -69,6 +69,7 @@ EDITS = [
     (COUNTS, r"nDims\s+2", "nDims 258", "nDims"),
     (COUNTS, r"planeZ\s+\S+;", "planeZ 55;", "planeZ"),
     (COUNTS, r"nextObjectId\s+\d", "nextObjectId 1", "objectIds"),
+    (COUNTS, r"nextObjectId\s+\d;", "nextObjectId { }", "nextObjectId"),
     (COUNTS, r"(nextObjectId\s+\d;)", r"\1 periods 1((9 (1 0 0)));",
      "periods"),
 ]
@@ -93,6 +94,8 @@ FILE_EDITS = [
     (MESH + "owner", r"version .*;", "version 1e300;", "'version'"),
     ("0.02/U", r"version .*;", "version -2147483648;", "'version'"),
     ("constant/fsiProperties", r"version .*;", "version 1e9;", "'version'"),
+    ("constant/fsiProperties", r"fluidDensity .*;", "fluidDensity { }",
+     "'fluidDensity'"),
     ("0.02/p", r"version .*;", "version nan;", "'version'"),
     ("system/controlDict", r"version .*;", "version 1e9;", "'version'"),
 ]
