@@ -163,7 +163,7 @@ def check_files(report, case, folder):
     for path, pattern, change, named in FILE_EDITS:
         wrong = copy_of(case, os.path.join(folder, "wrong"))
         text = results.read(wrong, path)
-        start = 0 if "version" in pattern else text.index("// * *")
+        start = 0 if "version" in pattern else max(text.find("// * *"), 0)
         new = text[:start] + re.sub(pattern, change, text[start:], count=1)
         write(os.path.join(wrong, path), new)
         message = failure(wrong)
