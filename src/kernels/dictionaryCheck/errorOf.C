@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "errorOf.H"
+#include "noTraps.H"
 
 #include <cmath>
 #include <new>
@@ -43,6 +44,8 @@ Foam::fsi::thrownErrors::~thrownErrors()
 
 Foam::fsi::caughtError Foam::fsi::errorOf(const std::function<void()>& code)
 {
+    // Numbers that do not fit become infinite; values are checked behind
+    const noTraps untrapped;
     const thrownErrors thrown;
     caughtError caught;
     try
