@@ -40,7 +40,7 @@ EDITS = [
     (STATE, OLD_ID, r"\g<1>-1", "objectIds"),
     (STATE, r"shape\s+disc", "shape foo", "shape"),
     (STATE, r"motion\s*\{\s*\}", "motion ball;", "motion"),
-    (STATE, r"(positions\s+List<scalar>\s+\d+\s*\(\s*)\S+", r"\g<1>1e300",
+    (STATE, r"(positions\s+List<scalar>\s+\d+\s*\(\s*)\S+", r"\g<1>1e400",
      "positions"),
     (STATE, r"(positions\s+List<scalar>\s+\d+\s*\(\s*)\S+", r"\g<1>nan",
      "positions"),
