@@ -117,7 +117,7 @@ void Foam::fsi::couplingModel::solveFluidPressure
     scalar value = 0;
     setRefCell(p, controls, cell, value);
     pEqn.setReference(cell, value);
-    pEqn.solve();
+    pEqn.solve(solverControls(p.mesh(), p.name()));
 }
 
 

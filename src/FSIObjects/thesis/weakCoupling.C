@@ -4,6 +4,7 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "fluidRegions.H"
+#include "openfoamMesh.H"
 #include "openLaplacian.H"
 #include "sharedPrediction.H"
 
@@ -111,7 +112,7 @@ void Foam::fsi::weakCoupling::solveMomentum(fvVectorMatrix& UEqn)
         UEqn.source()[link.cell] +=
             g*link.place.interpolate(wallVelocity_);
     }
-    UEqn.solve();
+    UEqn.solve(solverControls(UEqn.psi().mesh(), UEqn.psi().name()));
 }
 
 
