@@ -74,14 +74,11 @@ Foam::string Foam::fsi::meshFaults::ofPoints(const pointField& points)
 {
     forAll(points, pointi)
     {
-        for (direction d = 0; d < 3; ++d)
+        if (!isUsable(points[pointi]))
         {
-            if (!isUsable(points[pointi][d]))
-            {
-                return
-                    numbered("point", pointi)
-                  + " has a coordinate that is no number below 1e15";
-            }
+            return
+                numbered("point", pointi)
+              + " has a coordinate that is no number below 1e15";
         }
     }
     return string();

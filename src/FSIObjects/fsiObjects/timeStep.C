@@ -54,8 +54,6 @@ Foam::fsi::timeStep::timeStep(const Time& time)
     level_(-1),
     warned_(false),
     warnedOfError_(false),
-    minDeltaT_(-1),
-    largest_(0),
     nSteps_(0)
 {
     read();
@@ -88,10 +86,7 @@ void Foam::fsi::timeStep::read()
     maxCo_ = readPositive(controls, "maxCo", 0.5);
     maxDiffusion_ = readNonNegative(controls, "maxDiffusion", 0);
     maxTimeError_ = readNonNegative(controls, "maxTimeError", 0);
-    minDeltaT_ =
-        controls.found("minDeltaT")
-      ? readNonNegative(controls, "minDeltaT", 0)
-      : -1;
+    floor_.read(controls);
 }
 
 
@@ -207,16 +202,15 @@ void Foam::fsi::timeStep::checkCollapse
     // The first steps are as long as the flow is at rest
     if (++nSteps_ > 10)
     {
-        largest_ = max(largest_, dt);
+        floor_.take(dt);
     }
-    const scalar limit = minDeltaT_ >= 0 ? minDeltaT_ : 1e-4*largest_;
-    if (dt >= limit)
+    if (dt >= floor_.value())
     {
         return;
     }
     FatalErrorInFunction
         << "At time " << nameOf(time_) << " the time step falls to " << dt
-        << " s, below " << limit << " s";
+        << " s, below " << floor_.value() << " s";
     if (fluidSpeed >= 0)
     {
         FatalError<< ": the fluid moves at " << fluidSpeed << " m/s";

@@ -178,7 +178,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const scalar area = geometry_.grid().faceArea();
     const scalar h = geometry_.grid().spacing();
     const bool fades = history_ == history::fading;
-    const fadingPart lost(fadingGradient(U, viscosity));
+    const fadingPart lost(fades ? fadingGradient(U, viscosity) : fadingPart(0));
     const labelUList& own = p.mesh().owner();
     const labelUList& nei = p.mesh().neighbour();
     forAll(flux, facei)

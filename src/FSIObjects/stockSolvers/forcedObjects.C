@@ -87,7 +87,7 @@ Foam::fsi::forcedObjects::forcedObjects
     forcing_(refCast<directForcing>(objects_.coupling())),
     timeIndex_(mesh.time().timeIndex()),
     warned_(false),
-    largestStep_(0)
+    shortest_(GREAT)
 {
     wordList known(keys);
     known.append("U");
@@ -100,6 +100,12 @@ Foam::fsi::forcedObjects::forcedObjects
 
 void Foam::fsi::forcedObjects::checkWaves()
 {
+    const scalar deltaT = mesh_.time().deltaTValue();
+    if (warned_ || deltaT >= shortest_)
+    {
+        return;
+    }
+    shortest_ = deltaT;
     for (const bodyGroup& group : objects_.system().objects.groups())
     {
         const shapeTemplate& shape = group.shape();
@@ -107,7 +113,6 @@ void Foam::fsi::forcedObjects::checkWaves()
         const scalar size = cmptMax(boundBox(shape.points(), false).span());
         const scalar least =
             modulus > 0 ? size*sqrt(shape.density()/modulus) : 0;
-        const scalar deltaT = mesh_.time().deltaTValue();
         if (!warned_ && deltaT < least)
         {
             warned_ = true;
@@ -127,17 +132,14 @@ void Foam::fsi::forcedObjects::checkWaves()
 void Foam::fsi::forcedObjects::checkStep()
 {
     const scalar deltaT = mesh_.time().deltaTValue();
-    largestStep_ = max(largestStep_, deltaT);
-    const dictionary& controls = mesh_.time().controlDict();
-    const scalar limit =
-        controls.found("minDeltaT")
-      ? readNonNegative(controls, "minDeltaT", 0)
-      : 1e-4*largestStep_;
-    if (deltaT < limit)
+    floor_.read(mesh_.time().controlDict());
+    floor_.take(deltaT);
+    if (deltaT < floor_.value())
     {
         FatalErrorInFunction
             << "At time " << nameOf(mesh_.time()) << " the time step falls to "
-            << deltaT << " s, below " << limit << " s: the run has lost its"
+            << deltaT << " s, below " << floor_.value()
+            << " s: the run has lost its"
             << " stability. With direct forcing steps may be too small: take a"
             << " larger maxCo, a larger E, or fsiPisoFoam or fsiFluid. If the"
             << " speed is meant, set minDeltaT" << exit(FatalError);

@@ -180,10 +180,7 @@ Foam::fsi::objectContact::objectContact(fsiSystem& system)
     nLimited_(0)
 {
     const dictionary state(readState(system.grid.mesh().time(), "fsiContact"));
-    if (state.found("nextObjectId"))
-    {
-        nextObjectId_ = readEntry<label>(state, "nextObjectId");
-    }
+    nextObjectId_ = readEntryOr<label>(state, "nextObjectId", nextObjectId_);
     state.readIfPresent("ranges", shortRanges_);
 }
 

@@ -78,8 +78,7 @@ Foam::scalar Foam::fsi::readPositive
     const scalar defaultValue
 )
 {
-    const scalar value =
-        dict.found(key) ? readEntry<scalar>(dict, key) : defaultValue;
+    const scalar value = readEntryOr<scalar>(dict, key, defaultValue);
     return checked(dict, key, value, value > 0 && value < GREAT, "> 0");
 }
 
@@ -98,8 +97,7 @@ Foam::scalar Foam::fsi::readNonNegative
     const scalar defaultValue
 )
 {
-    const scalar value =
-        dict.found(key) ? readEntry<scalar>(dict, key) : defaultValue;
+    const scalar value = readEntryOr<scalar>(dict, key, defaultValue);
     return checked(dict, key, value, value >= 0 && value < GREAT, ">= 0");
 }
 
@@ -112,8 +110,7 @@ Foam::label Foam::fsi::readAtLeast
     const label minimum
 )
 {
-    const label value =
-        dict.found(key) ? readEntry<label>(dict, key) : defaultValue;
+    const label value = readEntryOr<label>(dict, key, defaultValue);
     if (value < minimum)
     {
         FatalIOErrorInFunction(dict)
@@ -132,10 +129,7 @@ Foam::word Foam::fsi::readChoice
     const wordList& choices
 )
 {
-    const word value
-    (
-        dict.found(key) ? readEntry<word>(dict, key) : defaultValue
-    );
+    const word value(readEntryOr<word>(dict, key, defaultValue));
     if (!isIn(choices, value))
     {
         FatalIOErrorInFunction(dict)

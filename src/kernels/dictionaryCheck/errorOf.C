@@ -80,6 +80,12 @@ bool Foam::fsi::isUsable(const scalar value)
 }
 
 
+bool Foam::fsi::isUsable(const vector& value)
+{
+    return isUsable(value.x()) && isUsable(value.y()) && isUsable(value.z());
+}
+
+
 void Foam::fsi::checkValues
 (
     const dictionary& dict,

@@ -21,8 +21,7 @@ static Type readInRange
     const Type maximum
 )
 {
-    const Type value =
-        dict.found(key) ? readEntry<Type>(dict, key) : defaultValue;
+    const Type value = readEntryOr<Type>(dict, key, defaultValue);
     if (!(value >= minimum && value <= maximum))
     {
         FatalIOErrorInFunction(dict)

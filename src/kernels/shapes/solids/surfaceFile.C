@@ -7,7 +7,6 @@
 #include "dictionaryCheck.H"
 #include "errorOf.H"
 #include "mergePoints.H"
-#include "noTraps.H"
 #include "openfoamSurface.H"
 #include "OSspecific.H"
 #include "surfaceFaults.H"
@@ -109,15 +108,7 @@ Foam::fsi::shapeMesh Foam::fsi::surfaceFile::read(const dictionary& dict)
     triSurface triangles;
     const caughtError error
     (
-        errorOf
-        (
-            [&]()
-            {
-                // OpenFOAM's reader makes floats, too small for some numbers
-                const noTraps untrapped;
-                triangles = triSurface(file);
-            }
-        )
+        errorOf([&]() { triangles = triSurface(file); })
     );
     if (error.message.size())
     {
@@ -125,8 +116,9 @@ Foam::fsi::shapeMesh Foam::fsi::surfaceFile::read(const dictionary& dict)
     }
     for (const point& p : triangles.points())
     {
-        if (!isUsable(p.x()) || !isUsable(p.y()) || !isUsable(p.z()))
+        if (!isUsable(p))
         {
+            // OpenFOAM's reader makes floats, too small for some numbers
             fail(dict, file, "has a coordinate that is no number below 1e15");
         }
     }
