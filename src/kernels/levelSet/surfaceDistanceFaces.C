@@ -107,11 +107,13 @@ void Foam::fsi::surfaceDistance::addSegments
           : other < i ? 0
           : segmentReach::turn(along_[i], along_[other]);
     };
+    // Samples outside the object's box are not reset
+    const boundBox box(reach(surfaces, objecti));
     for (label i = 0; i < nFaces; ++i)
     {
         const surfaceFace& f = surfaces.faces()[firstFace + i];
         ends(i, a, b);
-        const segmentReach reach
+        segmentReach around
         (
             a,
             along_[i],
@@ -120,7 +122,8 @@ void Foam::fsi::surfaceDistance::addSegments
             turn(i, beginsAt_[f[1] - firstNode]),
             bandWidth_
         );
-        addSegment(segmentProjection(a, b), firstFace + i, reach, block);
+        around.clip(box);
+        addSegment(segmentProjection(a, b), firstFace + i, around, block);
     }
 }
 

@@ -109,6 +109,38 @@ TEST(SurfaceDistance, ResultsDoNotDependOnTheBlockBitwise)
 }
 
 
+// What an object leaves behind is as if it had never been there
+TEST(SurfaceDistance, MovingObjectsLeaveNothingBehind)
+{
+    for (const direction nDims : {2, 3})
+    {
+        const label n = nDims == 2 ? 96 : 32;
+        const cartesianBlock block(cellCentres(vector::zero, 1, n, nDims));
+        const scalar band = 3*block.spacing();
+        surfaceDistance moved(band);
+        for (label stepi = 0; stepi < 30; ++stepi)
+        {
+            const point centre(0.3 + 0.0131*stepi, 0.4 + 0.0037*stepi, 0.5);
+            surfaceSet surfaces(nDims);
+            if (nDims == 2)
+            {
+                appendDisc(surfaces, centre, 0.1, 25);
+            }
+            else
+            {
+                appendSphere(surfaces, centre, 0.15, 2);
+            }
+            moved.update(surfaces, block);
+            surfaceDistance fresh(band);
+            fresh.update(surfaces, block);
+            ASSERT_EQ(moved.distance(), fresh.distance()) << stepi;
+            ASSERT_EQ(moved.nearestFace(), fresh.nearestFace()) << stepi;
+            ASSERT_EQ(moved.object(), fresh.object()) << stepi;
+        }
+    }
+}
+
+
 // The zero of the corners' distances, taken as linear between them, cuts off
 // two twelfths of (h/R)^2 of a disc
 TEST(SurfaceDistance, EnclosedAreaIsOfSecondOrder)
