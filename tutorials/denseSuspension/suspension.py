@@ -9,10 +9,9 @@
 FLOW is channel or shear. Viscosities are over that of the fluid alone, from the
 shear stress at the walls: over 6 rho nu U/H in the channel, over 2 rho nu U/H
 in the shear box. Beside it that of the channel's mean driving acceleration,
-G H^2/(12 nu U), with which it agrees but for what the convection at walls that
-move does not balance (theory.md, (4.8)). The cell-free layer is the mean
-distance of the walls from the nearest cell. All are means over the second half
-of a run.
+G H^2/(12 nu U), with which it agrees in the mean over time. The cell-free layer
+is the mean distance of the walls from the nearest cell. All are means over the
+second half of a run.
 """
 
 import math

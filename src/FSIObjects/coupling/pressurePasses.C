@@ -27,24 +27,9 @@ void Foam::fsi::pressurePasses::begin()
 }
 
 
-void Foam::fsi::pressurePasses::measure
-(
-    const boolList& fluid,
-    const vectorField& before,
-    const vectorField& after,
-    const vectorField& ofFluxes
-)
+void Foam::fsi::pressurePasses::measure(const FixedList<scalar, 2>& ofRank)
 {
-    scalarList squares(2, Zero);
-    forAll(fluid, celli)
-    {
-        if (fluid[celli])
-        {
-            squares[0] +=
-                magSqr(after[celli] - before[celli] - ofFluxes[celli]);
-            squares[1] += magSqr(after[celli]);
-        }
-    }
+    scalarList squares(ofRank);
     sumOverRanks(squares);
     error_ = sqrt(squares[0]/max(squares[1], VSMALL));
     ++done_;

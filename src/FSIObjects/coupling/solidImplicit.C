@@ -8,6 +8,7 @@
 #include "openfoamVersion.H"
 #include "openLaplacian.H"
 #include "sharedPrediction.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -33,9 +34,11 @@ Foam::fsi::solidImplicit::solidImplicit
     couplingModel(system, timer, dict),
     viscous_(system),
     term_(system),
-    conductance_(system),
+    pressure_(system),
     sudden_(system),
-    passes_(dict)
+    passes_(dict),
+    balance_(system),
+    ends_(false)
 {
     checkKeys(dict, {"type", "passes", "passTolerance"});
 }
@@ -79,7 +82,7 @@ void Foam::fsi::solidImplicit::predict
         rest[groupi] = group.splitLoad(load[groupi]);
         load[groupi] += force[groupi];
     }
-    addRigidForce(system_, gradientForce_, load);
+    addRigidForce(system_, gradientForce_ + balance_.payment(), load);
     predictShared(system_.objects, time, system_.stepTime(), load, predicted_);
     addResponse(system_.objects, rest, predicted_);
     constrain(predicted_);
@@ -95,6 +98,10 @@ void Foam::fsi::solidImplicit::begin
 )
 {
     const scalar time = p.time().value() - system_.deltaT();
+    if (system_.fluid.conserves())
+    {
+        balance_.pay();
+    }
 
     oldPressure_.reset
     (
@@ -131,76 +138,14 @@ void Foam::fsi::solidImplicit::solveMomentum(fvVectorMatrix& UEqn)
 {
     volVectorField& U = const_cast<volVectorField&>(UEqn.psi());
     system_.fluid.constrain(UEqn);
+    if (countsLayer())
+    {
+        balance_.begin(U);
+    }
 
     viscous_.solve(UEqn, U, predicted_, velocity_.change(), linkForce_);
     constrain(velocity_);
     contact(velocity_);
-}
-
-
-void Foam::fsi::solidImplicit::solvePressure
-(
-    volScalarField& p,
-    surfaceScalarField& phiHbyA,
-    const scalar rAU
-)
-{
-    const interfaceGeometry& geometry = system_.geometry;
-    tmp<fvScalarMatrix> pEqn(openLaplacian(geometry, p, rAU));
-
-    // Walls' flux without the pressure
-    const scalarField last
-    (
-        system_.walls.atWalls(oldPressure_().primitiveField())
-    );
-    vectorField oldPart;
-    term_.velocity(last, oldPart);
-    scalarField source(p.size());
-    system_.walls.flux(oldPart - velocity_.surface(), source);
-    subtractOutflow(phiHbyA, source);
-
-    solveWithObjects
-    (
-        p, pEqn.ref(), source, term_, oldPressure_().primitiveField()
-    );
-    pEqn.clear();
-
-    subtractGradient(geometry, p, rAU, phiHbyA);
-
-    // Velocities of all nodes with the increment of the pressure
-    groupNodal force;
-    pressureForce(system_.walls.atWalls(p) - last, force);
-    addResponse(system_.objects, force, velocity_.change());
-}
-
-
-void Foam::fsi::solidImplicit::correctVelocity
-(
-    volVectorField& U,
-    const volVectorField& last,
-    const volScalarField& p,
-    const scalar rAU
-)
-{
-    const tmp<volVectorField> tgradient(system_.fluid.openGradient(p));
-    const vectorField& gradient = tgradient().primitiveField();
-    const boolList& fluid = system_.geometry.fluidCell();
-    const scalarField& V = U.mesh().V();
-    vectorField change(U.size());
-    vectorField source(U.size());
-    forAll(source, celli)
-    {
-        const vector force
-        (
-            fluid[celli] ? last[celli] - gradient[celli] : vector(Zero)
-        );
-        change[celli] = rAU*force;
-        source[celli] = V[celli]*force;
-    }
-    const vectorField before(U.primitiveField());
-    const immersedFluid& f = system_.fluid;
-    viscous_.addResponse(source, f.responseGuess(change, system_.viscosity), U);
-    passes_.measure(fluid, before, U.primitiveField(), change);
 }
 
 
@@ -237,12 +182,68 @@ bool Foam::fsi::solidImplicit::again(volScalarField& p, const volVectorField&)
 }
 
 
+void Foam::fsi::solidImplicit::settle(const volVectorField& U)
+{
+    vectorField force(gradientForce_.size(), Zero);
+    system_.fluid.cut().addLoss
+    (
+        *system_.levelSet, system_.surfaces(), U, velocity_.surface(), force
+    );
+    sumOverRanks(force);
+    force *= system_.fluidDensity;
+    vectorField links;
+    viscous_.linkForceBeyond(U, links);
+    balance_.owe(force + links + newGradientForce_ - gradientForce_);
+}
+
+
+void Foam::fsi::solidImplicit::renew()
+{
+    couplingModel::renew();
+    balance_.renew();
+}
+
+
+bool Foam::fsi::solidImplicit::countsLayer() const
+{
+    return system_.fluid.conserves() && !system_.fluid.rule().secondOrder();
+}
+
+
+void Foam::fsi::solidImplicit::beginMove(const volVectorField& U)
+{
+    if (countsLayer())
+    {
+        balance_.beginMove(U);
+    }
+}
+
+
+void Foam::fsi::solidImplicit::endMove(const volVectorField& U)
+{
+    if (countsLayer())
+    {
+        balance_.endMove(U);
+    }
+    if (ends_)
+    {
+        hydrodynamicForce_ += balance_.close();
+        ends_ = false;
+    }
+}
+
+
 void Foam::fsi::solidImplicit::end
 (
     const volScalarField& p,
-    const volVectorField&
+    const volVectorField& U
 )
 {
+    ends_ = system_.fluid.conserves();
+    if (ends_)
+    {
+        settle(U);
+    }
     limitContact(velocity_);
     constrain(velocity_);
 

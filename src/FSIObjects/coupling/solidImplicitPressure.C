@@ -1,46 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "solidImplicit.H"
-#include "dictionaryCheck.H"
-#include "openfoamMesh.H"
-#include "openfoamTypes.H"
 #include "objectResponse.H"
 #include "openLaplacian.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Entries of the pressure in fvSolution. Fatal if its solver is unknown; the
-//  log says so if it is another than the one of this coupling.
-static const dictionary& checkedControls(const volScalarField& p)
-{
-    const dictionary& controls = solverControls(p.mesh(), p.name());
-    const word solver(getEntry<word>(controls, "solver"));
-    const auto& known = *lduMatrix::solver::symMatrixConstructorTablePtr_;
-    if (!known.found(solver))
-    {
-        FatalIOErrorInFunction(controls)
-            << "Unknown choice '" << solver << "' of entry 'solver' in"
-            << " dictionary " << controls.name() << nl
-            << "Valid choices are " << flatOutput(known.sortedToc())
-            << exit(FatalIOError);
-    }
-    if (solver != "cartesianMG")
-    {
-        Info<< "Pressure equation: solved by cartesianMG with the objects'"
-            << " response; 'solver " << solver << "' of " << p.name()
-            << " is for coupling weak" << nl << endl;
-    }
-    return controls;
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -57,72 +19,88 @@ void Foam::fsi::solidImplicit::answerAcceleration(volScalarField& last)
     );
     scalarField source;
     sudden_.setSource(last, source);
-    solveWithObjects(last, pEqn.ref(), source, sudden_, before);
+    pressure_.solve(last, pEqn.ref(), source, sudden_, before);
     expectPressure(system_, last.primitiveField() - before);
 }
 
 
-void Foam::fsi::solidImplicit::updateMultigrid
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::solidImplicit::solvePressure
 (
-    const volScalarField& p,
-    fvScalarMatrix& pEqn
+    volScalarField& p,
+    surfaceScalarField& phiHbyA,
+    const scalar rAU
 )
 {
-    if (!multigrid_.valid())
-    {
-        multigrid_.reset
-        (
-            new cartesianMultigrid(p.mesh(), checkedControls(p))
-        );
-    }
-    const auto interfaces = p.boundaryField().scalarInterfaces();
+    const interfaceGeometry& geometry = system_.geometry;
+    tmp<fvScalarMatrix> pEqn(openLaplacian(geometry, p, rAU));
 
-    // Cells inside the objects conduct in the cycle, not in the equation,
-    // whose cells that are not active have a diagonal of exactly zero
-    const tmp<scalarField> g(conductance_.conductance());
-    scalarField diagonal(pEqn.diag());
-    objectsConductance::add(g(), 1, pEqn);
-    multigrid_->update(pEqn, boundaryCoeffsOf(pEqn), interfaces);
-    objectsConductance::add(g(), -1, pEqn);
-    pEqn.diag().swap(diagonal);
-    multigrid_->updateProduct(pEqn, boundaryCoeffsOf(pEqn), interfaces);
+    // Walls' flux without the pressure
+    const scalarField last
+    (
+        system_.walls.atWalls(oldPressure_().primitiveField())
+    );
+    vectorField oldPart;
+    term_.velocity(last, oldPart);
+    scalarField source(p.size());
+    system_.walls.flux(oldPart - velocity_.surface(), source);
+    subtractOutflow(phiHbyA, source);
+
+    pressure_.solve
+    (
+        p, pEqn.ref(), source, term_, oldPressure_().primitiveField()
+    );
+    pEqn.clear();
+
+    subtractGradient(geometry, p, rAU, phiHbyA);
+    if (system_.fluid.conserves())
+    {
+        system_.fluid.cut().end(phiHbyA);
+    }
+
+    // Velocities of all nodes with the increment of the pressure
+    groupNodal force;
+    pressureForce(system_.walls.atWalls(p) - last, force);
+    addResponse(system_.objects, force, velocity_.change());
 }
 
 
-void Foam::fsi::solidImplicit::solveWithObjects
+void Foam::fsi::solidImplicit::correctVelocity
 (
-    volScalarField& p,
-    fvScalarMatrix& pEqn,
-    scalarField& b,
-    const addedTerm& term,
-    const scalarField& inside
+    volVectorField& U,
+    const volVectorField& last,
+    const volScalarField& p,
+    const scalar rAU
 )
 {
-    const boolList& active = system_.geometry.activeCell();
-    addPatchParts(active, p, pEqn, b);
-    updateMultigrid(p, pEqn);
-
-    const dictionary& controls = solverControls(p.mesh(), p.name());
-    cartesianMultigrid::loopControls loop;
-    loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
-    loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
-    loop.maxIter = readAtLeast(controls, "maxIter", 1000, 1);
-    const auto performance = multigrid_->solve
-    (
-        p.primitiveFieldRef(), b, p.name(), loop, &term
-    );
-    system_.log->solved(performance);
-    keepResiduals(p.mesh(), performance);
-
-    // Inside the objects nothing is solved for
-    forAll(active, celli)
+    tmp<volVectorField> tgradient(system_.fluid.openGradient(p));
+    if (system_.fluid.conserves())
     {
-        if (!active[celli])
-        {
-            p[celli] = inside[celli];
-        }
+        system_.walls.gradientForce(tgradient(), newGradientForce_);
+        newGradientForce_ *= system_.fluidDensity;
     }
-    p.correctBoundaryConditions();
+    const vectorField& gradient = tgradient().primitiveField();
+    const boolList& fluid = system_.geometry.fluidCell();
+    const scalar V = system_.grid.faceArea()*system_.grid.spacing();
+    vectorField source(U.size());
+    forAll(source, celli)
+    {
+        source[celli] =
+            fluid[celli] ? V*(last[celli] - gradient[celli]) : vector(Zero);
+    }
+    tgradient.clear();
+    const scalar alone = rAU/V;
+    passes_.measure
+    (
+        viscous_.addResponse
+        (
+            source,
+            system_.fluid.responseGuess(source, alone, system_.viscosity),
+            alone,
+            U
+        )
+    );
 }
 
 

@@ -48,7 +48,6 @@ void Foam::fsi::fluidStep::momentum
         (
             phi_,
             U_,
-            objects_.coupling().wallVelocity(),
             viscosity_,
             gradP,
             objects_.driving().value()
@@ -129,6 +128,7 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
         );
     }
     objects_.finishStep(p_, U_);
+    objects_.system().fluid.moveFlux(phi_);
 }
 
 

@@ -126,6 +126,12 @@ void Foam::fsi::fsiObjects::checkMotion() const
 
 void Foam::fsi::fsiObjects::updateWalls(volScalarField& p, volVectorField& U)
 {
+    const vectorField& v = system_.objects.surfaces().velocities();
+    coupling_->beginMove(U);
+    if (coupling_->hasFluid())
+    {
+        system_.fluid.beginMove(U, v);
+    }
     {
         const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
         system_.levelSet->move(system_.surfaces(), system_.deltaT());
@@ -135,8 +141,10 @@ void Foam::fsi::fsiObjects::updateWalls(volScalarField& p, volVectorField& U)
     {
         const boolList wasActive(system_.geometry.activeCell());
         system_.updateGeometry();
+        coupling_->endMove(U);
         fillNewCells(wasActive, system_.geometry.activeCell(), p);
         setSolidVelocity(U);
+        system_.fluid.endMove(U, v, system_.viscosity);
     }
 }
 

@@ -9,15 +9,11 @@
 void Foam::fsi::faceVelocities::setCutFaces
 (
     const sources& v,
-    const wanted what,
     surfaceScalarField& result
 ) const
 {
     const fvMesh& mesh = v.U.mesh();
     const label nInternal = mesh.nInternalFaces();
-    const surfaceScalarField& open = geometry_.openArea();
-    const scalar scale =
-        what == wanted::wholeFlux ? geometry_.grid().faceArea() : 1;
 
     scalarField onBoundary;
     boolList isSet;
@@ -26,13 +22,13 @@ void Foam::fsi::faceVelocities::setCutFaces
     const auto set = [&](const label facei, const scalar along)
     {
         const scalar value =
-            geometry_.grid().faceAlong(facei) ? scale*along : -scale*along;
+            geometry_.grid().faceAlong(facei) ? along : -along;
         if (facei >= nInternal)
         {
             onBoundary[facei - nInternal] = value;
             isSet[facei - nInternal] = true;
         }
-        else if (what == wanted::velocity || open[facei] < 1)
+        else
         {
             result[facei] = value;
         }
@@ -45,7 +41,6 @@ void Foam::fsi::faceVelocities::setCutFaces
         const label face = min(later.face, nInternal - 1);
         v.fetch(later.cell);
         fetchAhead(result[face]);
-        fetchAhead(open[face]);
         fetchAhead(v.wall[later.place.nodes[0]]);
         set(links[i].face, v.velocity(links[i]));
     }
@@ -59,7 +54,7 @@ void Foam::fsi::faceVelocities::setCutFaces
         fetchAhead(v.wall[later.place.nodes[0]]);
         set(walls[inner[i]].face, v.velocity(walls[inner[i]]));
     }
-    setCutPatchFaces(onBoundary, isSet, what, result);
+    setCutPatchFaces(onBoundary, isSet, result);
 }
 
 
@@ -67,7 +62,6 @@ void Foam::fsi::faceVelocities::setCutPatchFaces
 (
     const scalarField& onBoundary,
     const boolList& isSet,
-    const wanted what,
     surfaceScalarField& result
 ) const
 {
@@ -85,8 +79,6 @@ void Foam::fsi::faceVelocities::setCutPatchFaces
         fvsPatchScalarField& pr = result.boundaryFieldRef()[patchi];
         const fvsPatchScalarField& fluidFace =
             geometry_.fluidFace().boundaryField()[patchi];
-        const fvsPatchScalarField& open =
-            geometry_.openArea().boundaryField()[patchi];
         for (label i = 0; i < pr.size() && pr.coupled(); ++i)
         {
             const label facei = pr.patch().start() + i - nInternal;
@@ -94,7 +86,6 @@ void Foam::fsi::faceVelocities::setCutPatchFaces
             (
                 fluidFace[i] < 0.5
              && (isSet[facei] || setAcross[facei])
-             && (what == wanted::velocity || open[i] < 1)
             )
             {
                 pr[i] = onBoundary[facei] - across[facei];
@@ -161,7 +152,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::middleVelocity
     {
         velocity.boundaryFieldRef()[patchi] = patchMean(sum(), patchi);
     }
-    setCutFaces(v, wanted::velocity, velocity);
+    setCutFaces(v, velocity);
     return tvelocity;
 }
 
@@ -177,43 +168,39 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::wholeFlux
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::nearVelocity
 (
-    const surfaceScalarField& phi,
     const volVectorField& U,
     const vectorField& wallVelocity
 ) const
 {
-    const surfaceScalarField& open = geometry_.openArea();
-    const scalar area = geometry_.grid().faceArea();
-    auto tflux = newTmp<surfaceScalarField>("convectiveFlux", phi);
-    surfaceScalarField& flux = tflux.ref();
-    const labelUList& own = U.mesh().owner();
-    const labelUList& nei = U.mesh().neighbour();
-    forAll(flux, facei)
+    // Pages of faces that are not near are never touched
+    const fvMesh& mesh = U.mesh();
+    auto tvelocity = newTmp<surfaceScalarField>
+    (
+        IOobject("nearVelocity", nameOf(mesh.time()), mesh),
+        mesh,
+        dimVelocity
+    );
+    surfaceScalarField& velocity = tvelocity.ref();
+    setOriented(velocity);
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    for (const label facei : geometry_.nearFaces())
     {
-        if (open[facei] < 1)
+        if (facei < mesh.nInternalFaces())
         {
-            flux[facei] = area*mean(U, own, nei, facei);
+            velocity[facei] = mean(U, own, nei, facei);
         }
     }
-    forAll(flux.boundaryField(), patchi)
+    forAll(velocity.boundaryField(), patchi)
     {
-        fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
-        if (pf.coupled())
-        {
-            const scalarField whole(area*patchMean(U, patchi));
-            forAll(pf, i)
-            {
-                if (open.boundaryField()[patchi][i] < 1)
-                {
-                    pf[i] = whole[i];
-                }
-            }
-        }
+        velocity.boundaryFieldRef()[patchi] = patchMean(U, patchi);
     }
-    setCutFaces({U, wallVelocity, nullptr, 0}, wanted::wholeFlux, flux);
-    return tflux;
+    const sources v{U, wallVelocity, nullptr, 0};
+    setCutFaces(v, velocity);
+    addOpenParts(v, velocity);
+    return tvelocity;
 }
 
 

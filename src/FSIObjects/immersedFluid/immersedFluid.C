@@ -2,6 +2,7 @@
 
 #include "immersedFluid.H"
 #include "levelSetUpdate.H"
+#include "openfoamMesh.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -15,12 +16,33 @@ Foam::fsi::immersedFluid::immersedFluid
     faces_(geometry),
     rule_(geometry.grid().mesh()),
     gradient_(geometry),
-    momentum_(geometry, faces_, rule_, dict),
+    momentum_(geometry, rule_, dict),
     flux_(geometry, faces_, rule_, dict)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedFluid::momentum
+(
+    const surfaceScalarField& phi,
+    volVectorField& U,
+    const scalar viscosity,
+    const volVectorField& gradient,
+    const vector& acceleration
+)
+{
+    tmp<surfaceScalarField> tflux(rule_.flux(phi));
+    if (rule_.secondOrder() && flux_.moved().moved())
+    {
+        // Surfaces have moved to where they are expected
+        tflux = newTmp<surfaceScalarField>("convectiveFlux", tflux());
+        moveFlux(tflux.ref());
+    }
+    return
+        momentum_.momentum(tflux(), U, viscosity, gradient, acceleration);
+}
+
 
 void Foam::fsi::immersedFluid::setSolidVelocity
 (

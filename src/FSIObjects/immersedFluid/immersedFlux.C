@@ -144,7 +144,8 @@ Foam::fsi::immersedFlux::immersedFlux
         [
             readChoice(dict, "faceHistory", "fading", historyNames.names())
         ]
-    )
+    ),
+    moved_(geometry, faces)
 {
     // Files of earlier versions do not say so
     setOriented(faceHistory_);
@@ -205,6 +206,30 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
         fadeOnPatches(lost, gradient, p, flux);
     }
     return tflux;
+}
+
+
+void Foam::fsi::immersedFlux::endMove
+(
+    const volVectorField& U,
+    const vectorField& walls,
+    const scalar viscosity
+)
+{
+    const scalar h = geometry_.grid().spacing();
+    const scalar deltaT = history_ == history::fading ? rule_.step() : 0;
+
+    // With a rule of second order the history of cut faces hardly fades, so
+    // that it must not take more
+    moved_.end
+    (
+        U,
+        walls,
+        !rule_.secondOrder(),
+        deltaT*viscosity*sqr(constant::mathematical::pi/h),
+        deltaT/h,
+        faceHistory_
+    );
 }
 
 

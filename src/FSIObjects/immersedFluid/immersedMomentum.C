@@ -7,102 +7,7 @@
 #include "openfoamMesh.H"
 #include "openLaplacian.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Flux out of a link's cell through its face and the mean velocity of the two
-//  cells; false for faces that are neither internal nor on a coupled patch
-static bool faceValues
-(
-    const surfaceScalarField& flux,
-    const volVectorField& U,
-    const List<vectorField>& across,
-    const wallLink& link,
-    scalar& out,
-    vector& mean
-)
-{
-    const vector& here = U[link.cell];
-    if (link.across >= 0)
-    {
-        // The owner is the cell of the lower number
-        out = link.cell < link.across ? flux[link.face] : -flux[link.face];
-        mean = 0.5*(here + U[link.across]);
-        return true;
-    }
-    const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
-    const label patchi = patches.whichPatch(link.face);
-    const label i = link.face - patches[patchi].start();
-    if (across[patchi].empty())
-    {
-        return false;
-    }
-    out = flux.boundaryField()[patchi][i];
-    mean = 0.5*(here + across[patchi][i]);
-    return true;
-}
-
-
-//- Values across the coupled patches; empty lists for others
-static List<vectorField> valuesAcross(const volVectorField& U)
-{
-    List<vectorField> across(U.boundaryField().size());
-    forAll(across, patchi)
-    {
-        const fvPatchVectorField& pU = U.boundaryField()[patchi];
-        if (pU.coupled())
-        {
-            across[patchi] = pU.patchNeighbourField();
-        }
-    }
-    return across;
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::immersedMomentum::addWallConvection
-(
-    const surfaceScalarField& flux,
-    const volVectorField& U,
-    const vectorField& wallVelocity,
-    vectorField& source
-) const
-{
-    const List<vectorField> across(valuesAcross(U));
-    const UList<wallLink>& links = geometry_.wallLinks();
-    forAll(links, i)
-    {
-        const wallLink& later = fetchedAhead(links, i);
-        fetchAhead(U[later.cell]);
-        fetchAhead(U[max(later.across, 0)]);
-        fetchAhead(source[later.cell]);
-        fetchAhead(wallVelocity[later.place.nodes[0]]);
-        fetchAhead(flux[min(later.face, flux.size() - 1)]);
-
-        const wallLink& link = links[i];
-        scalar out = 0;
-        vector linear(Zero);
-        if (faceValues(flux, U, across, link, out, linear))
-        {
-            const scalar part = min(0.5/link.wallDistance, 1.0);
-            const vector& u = U[link.cell];
-            const vector onFace
-            (
-                u + part*(link.place.interpolate(wallVelocity) - u)
-            );
-            source[link.cell] -= out*(onFace - linear);
-        }
-    }
-}
-
 
 void Foam::fsi::immersedMomentum::addDiffusion
 (
@@ -152,19 +57,18 @@ void Foam::fsi::immersedMomentum::addDiffusion
 Foam::fsi::immersedMomentum::immersedMomentum
 (
     const interfaceGeometry& geometry,
-    const faceVelocities& faces,
     const timeRule& rule,
     const dictionary& dict
 )
 :
     geometry_(geometry),
-    faces_(faces),
     rule_(rule),
-    wholeFace_
+    conserves_
     (
-        readChoice(dict, "convection", "wholeFace", {"wholeFace", "openPart"})
-     == "wholeFace"
-    )
+        readChoice(dict, "convection", "conserving", {"conserving", "openPart"})
+     == "conserving"
+    ),
+    cut_(geometry)
 {}
 
 
@@ -172,22 +76,20 @@ Foam::fsi::immersedMomentum::immersedMomentum
 
 Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::momentum
 (
-    const surfaceScalarField& phi,
+    const surfaceScalarField& flux,
     volVectorField& U,
-    const vectorField& wallVelocity,
     const scalar viscosity,
     const volVectorField& gradient,
     const vector& acceleration
-) const
+)
 {
-    tmp<surfaceScalarField> tflux(rule_.flux(phi));
-    if (wholeFace_)
+    if (conserves_)
     {
-        tflux = faces_.wholeFlux(tflux(), U, wallVelocity);
+        cut_.begin(flux);
     }
-    tmp<fvVectorMatrix> tequation(fvm::div(tflux(), U, "div(phi,U)"));
+    tmp<fvVectorMatrix> tequation(fvm::div(flux, U, "div(phi,U)"));
     fvVectorMatrix& equation = tequation.ref();
-    addDiffusion(tflux(), viscosity, equation);
+    addDiffusion(flux, viscosity, equation);
 
     const scalar perStep = 1/rule_.step();
     const scalarField& V = U.mesh().V();
@@ -200,10 +102,6 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::momentum
         diagonal[celli] += V[celli]*perStep;
         source[celli] +=
             V[celli]*(perStep*last[celli] + acceleration - gradient[celli]);
-    }
-    if (wholeFace_)
-    {
-        addWallConvection(tflux(), U, wallVelocity, source);
     }
     return tequation;
 }

@@ -160,18 +160,35 @@ void Foam::fsi::redBlackMatrix::get(vectorField& U) const
 }
 
 
-void Foam::fsi::redBlackMatrix::addTo(vectorField& U) const
+Foam::FixedList<Foam::scalar, 2> Foam::fsi::redBlackMatrix::addTo
+(
+    const boolList& counts,
+    const vectorField& expected,
+    const scalar factor,
+    vectorField& U
+) const
 {
     const labelUList& rowOf = order_.rowOf();
     const scalar scale = 1/correctionScale_;
+    FixedList<scalar, 2> squares(Zero);
     forAll(rowOf, celli)
     {
+        vector& u = U[celli];
+        vector beyond(-factor*expected[celli]);
         for (label d = 0; d < nDims_; ++d)
         {
             const label i = nDims_*rowOf[celli] + d;
-            U[celli][d] += x_[i] + scale*correction_[i];
+            const scalar added = x_[i] + scale*correction_[i];
+            u[d] += added;
+            beyond[d] += added;
+        }
+        if (counts[celli])
+        {
+            squares[0] += magSqr(beyond);
+            squares[1] += magSqr(u);
         }
     }
+    return squares;
 }
 
 

@@ -59,6 +59,7 @@ void Foam::fsi::viscousCoupling::finish
     force.setSize(nodalVelocity_.size());
     force = Zero;
     addLinkForce(system_, U, nodalVelocity_, force);
+    linkForce_ = force;
     sumOverRanks(force);
     addShortWaveForce(system_, nodalVelocity_, force);
     force += strainForce_;
@@ -162,7 +163,8 @@ void Foam::fsi::viscousCoupling::solve
             result.fieldName(),
             vector::uniform(result.initialResidual()),
             vector::uniform(result.finalResidual()),
-            labelVector::uniform(result.nIterations())
+            labelVector::uniform(result.nIterations()),
+            result.converged()
         )
     );
     warnUnconverged(result);
@@ -173,10 +175,23 @@ void Foam::fsi::viscousCoupling::solve
 }
 
 
-void Foam::fsi::viscousCoupling::addResponse
+void Foam::fsi::viscousCoupling::linkForceBeyond
+(
+    const volVectorField& U,
+    vectorField& force
+) const
+{
+    force = -linkForce_;
+    addLinkForce(system_, U, nodalVelocity_, force);
+    sumOverRanks(force);
+}
+
+
+Foam::FixedList<Foam::scalar, 2> Foam::fsi::viscousCoupling::addResponse
 (
     const vectorField& source,
     const vectorField& guess,
+    const scalar factor,
     volVectorField& U
 )
 {
@@ -209,8 +224,18 @@ void Foam::fsi::viscousCoupling::addResponse
         }
         before = residual;
     }
-    matrix_.addTo(U.primitiveFieldRef());
+    const FixedList<scalar, 2> squares
+    (
+        matrix_.addTo
+        (
+            system_.geometry.fluidCell(),
+            source,
+            factor,
+            U.primitiveFieldRef()
+        )
+    );
     U.correctBoundaryConditions();
+    return squares;
 }
 
 

@@ -15,6 +15,8 @@ void Foam::fsi::bodyGroup::resize(const label nCopies)
 {
     resizeNodes(shape_.nNodes(), shape_.nDims()*nCopies);
     objectIds_.resize(nCopies, -1);
+    const label nColumns = shape_.nDims()*nCopies;
+    owedImpulse_.conservativeResize(shape_.nBoundaryNodes(), nColumns);
     resizeState(nCopies);
 }
 
@@ -26,6 +28,7 @@ Foam::fsi::bodyGroup::bodyGroup(const shapeTemplate& shape)
     shape_(shape)
 {
     resizeNodes(shape.nNodes(), 0);
+    owedImpulse_.resize(shape.nBoundaryNodes(), 0);
 }
 
 
@@ -80,6 +83,7 @@ Foam::label Foam::fsi::bodyGroup::append
     const label nDims = shape_.nDims();
     resize(copyi + 1);
     objectIds_[copyi] = objectId;
+    ofCopy(owedImpulse_, copyi).setZero();
     startState(copyi);
 
     forAll(shape_.points(), nodei)
@@ -104,6 +108,7 @@ void Foam::fsi::bodyGroup::remove(const label copyi)
         const label n = shape_.nDims();
         copyNodes(n*next, n*(next - 1), n);
         objectIds_[next - 1] = objectIds_[next];
+        ofCopy(owedImpulse_, next - 1) = ofCopy(owedImpulse_, next);
         copyState(next, next - 1);
     }
     resize(size() - 1);
@@ -137,6 +142,7 @@ void Foam::fsi::bodyGroup::write(Ostream& os) const
     putEntry(os, "shape", shape_.name());
     putList(os, "objectIds", objectIds_);
     writeNodes(os);
+    writeMatrix(os, "owedImpulse", owedImpulse_);
     writeState(os);
 
     os.precision(oldPrecision);
@@ -149,6 +155,7 @@ void Foam::fsi::bodyGroup::read(const dictionary& dict)
     resize(ids.size());
     objectIds_ = ids;
     readNodes(dict);
+    readMatrix(dict, "owedImpulse", owedImpulse_);
     readState(dict);
 }
 

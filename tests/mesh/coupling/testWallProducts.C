@@ -193,7 +193,10 @@ TEST(linkOperator, correctsTheLinks)
         // Forces of the corrected velocities, which the diagonal alone gives
         EXPECT_GT(matrix.sweep(1), 0.01);
         vectorField corrected(bodies.U.size(), Zero);
-        matrix.addTo(corrected);
+        matrix.addTo
+        (
+            boolList(corrected.size(), true), corrected, 0, corrected
+        );
         bodies.U.primitiveFieldRef() = corrected;
         bodies.expectForces(1e-10);
         forAll(corrected, celli)

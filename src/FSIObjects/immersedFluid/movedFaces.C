@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "movedFaces.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+char Foam::fsi::movedFaces::kindOf(const label facei) const
+{
+    const scalar open = geometry_.openness()[facei];
+    if (open <= 0)
+    {
+        return closed;
+    }
+    const fvMesh& mesh = geometry_.grid().mesh();
+    const boolList& fluid = geometry_.fluidCell();
+    const label nInternal = mesh.nInternalFaces();
+    const bool own = fluid[mesh.faceOwner()[facei]];
+    const bool other =
+        facei < nInternal
+      ? fluid[mesh.faceNeighbour()[facei]]
+      : geometry_.fluidAcross()[facei - nInternal];
+    return (own ? 2 : 0) + (other ? 2 : 0) + (open < 0.5 ? 0 : 1);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::movedFaces::movedFaces
+(
+    const interfaceGeometry& geometry,
+    const faceVelocities& faces
+)
+:
+    geometry_(geometry),
+    faces_(faces),
+    kind_(geometry.grid().mesh().nFaces(), closed)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::movedFaces::begin
+(
+    const volVectorField& U,
+    const vectorField& walls
+)
+{
+    for (const label facei : geometry_.nearFaces())
+    {
+        kind_[facei] = kindOf(facei);
+    }
+    before_ = faces_.nearVelocity(U, walls);
+}
+
+
+void Foam::fsi::movedFaces::end
+(
+    const volVectorField& U,
+    const vectorField& walls,
+    const bool keep,
+    const scalar rate,
+    const scalar perSpeed,
+    surfaceScalarField& history
+)
+{
+    after_ = faces_.nearVelocity(U, walls);
+    if (!keep)
+    {
+        before_.clear();
+        return;
+    }
+    const auto jump = [&](const scalar before, const scalar after)
+    {
+        return (before - after)/(1 + rate + mag(after)*perSpeed);
+    };
+    const fvMesh& mesh = U.mesh();
+    for (const label facei : geometry_.nearFaces())
+    {
+        const char now = kindOf(facei);
+        if (now == kind_[facei] || now == closed || kind_[facei] == closed)
+        {
+            continue;
+        }
+        if (facei < mesh.nInternalFaces())
+        {
+            history[facei] += jump(before_()[facei], after_()[facei]);
+            continue;
+        }
+        const label patchi = mesh.boundaryMesh().whichPatch(facei);
+        const fvPatch& patch = mesh.boundary()[patchi];
+        const label i = facei - patch.start();
+        if (patch.coupled())
+        {
+            history.boundaryFieldRef()[patchi][i] +=
+                jump
+                (
+                    before_().boundaryField()[patchi][i],
+                    after_().boundaryField()[patchi][i]
+                );
+        }
+    }
+    before_.clear();
+}
+
+
+void Foam::fsi::movedFaces::setFlux(surfaceScalarField& flux)
+{
+    const scalarField& open = geometry_.openness();
+    const scalarField& last = geometry_.lastOpenness();
+    const scalar area = geometry_.grid().faceArea();
+    const surfaceScalarField& velocity = after_();
+    for (const label facei : geometry_.nearFaces())
+    {
+        if (facei < flux.size() && (open[facei] < 1 || last[facei] < 1))
+        {
+            flux[facei] = open[facei]*area*velocity[facei];
+        }
+    }
+    forAll(flux.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
+        const scalarField& pv = velocity.boundaryField()[patchi];
+        const label start = pf.patch().start();
+        for (label i = 0; i < pf.size() && pf.coupled(); ++i)
+        {
+            if (open[start + i] < 1 || last[start + i] < 1)
+            {
+                pf[i] = open[start + i]*area*pv[i];
+            }
+        }
+    }
+    after_.clear();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectsPressure.H"
+#include "dictionaryCheck.H"
+#include "openfoamMesh.H"
+#include "openfoamTypes.H"
+#include "openLaplacian.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Entries of the pressure in fvSolution. Fatal if its solver is unknown; the
+//  log says so if it is another than the one of this coupling.
+static const dictionary& checkedControls(const volScalarField& p)
+{
+    const dictionary& controls = solverControls(p.mesh(), p.name());
+    const word solver(getEntry<word>(controls, "solver"));
+    const auto& known = *lduMatrix::solver::symMatrixConstructorTablePtr_;
+    if (!known.found(solver))
+    {
+        FatalIOErrorInFunction(controls)
+            << "Unknown choice '" << solver << "' of entry 'solver' in"
+            << " dictionary " << controls.name() << nl
+            << "Valid choices are " << flatOutput(known.sortedToc())
+            << exit(FatalIOError);
+    }
+    if (solver != "cartesianMG")
+    {
+        Info<< "Pressure equation: solved by cartesianMG with the objects'"
+            << " response; 'solver " << solver << "' of " << p.name()
+            << " is for coupling weak" << nl << endl;
+    }
+    return controls;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::objectsPressure::updateMultigrid
+(
+    const volScalarField& p,
+    fvScalarMatrix& pEqn
+)
+{
+    if (!multigrid_.valid())
+    {
+        multigrid_.reset
+        (
+            new cartesianMultigrid(p.mesh(), checkedControls(p))
+        );
+    }
+    const auto interfaces = p.boundaryField().scalarInterfaces();
+
+    // Cells inside the objects conduct in the cycle, not in the equation,
+    // whose cells that are not active have a diagonal of exactly zero
+    const tmp<scalarField> g(conductance_.conductance());
+    scalarField diagonal(pEqn.diag());
+    objectsConductance::add(g(), 1, pEqn);
+    multigrid_->update(pEqn, boundaryCoeffsOf(pEqn), interfaces);
+    objectsConductance::add(g(), -1, pEqn);
+    pEqn.diag().swap(diagonal);
+    multigrid_->updateProduct(pEqn, boundaryCoeffsOf(pEqn), interfaces);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::objectsPressure::objectsPressure(const fsiSystem& system)
+:
+    system_(system),
+    conductance_(system)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::objectsPressure::solve
+(
+    volScalarField& p,
+    fvScalarMatrix& pEqn,
+    scalarField& b,
+    const addedTerm& term,
+    const scalarField& inside
+)
+{
+    const boolList& active = system_.geometry.activeCell();
+    addPatchParts(active, p, pEqn, b);
+    updateMultigrid(p, pEqn);
+
+    const dictionary& controls = solverControls(p.mesh(), p.name());
+    cartesianMultigrid::loopControls loop;
+    loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
+    loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
+    loop.maxIter = readAtLeast(controls, "maxIter", 1000, 1);
+    const auto performance = multigrid_->solve
+    (
+        p.primitiveFieldRef(), b, p.name(), loop, &term
+    );
+    system_.log->solved(performance);
+    keepResiduals(p.mesh(), performance);
+
+    // Inside the objects nothing is solved for
+    forAll(active, celli)
+    {
+        if (!active[celli])
+        {
+            p[celli] = inside[celli];
+        }
+    }
+    p.correctBoundaryConditions();
+}
+
+
+// ************************************************************************* //
