@@ -37,8 +37,7 @@ Foam::fsi::solidImplicit::solidImplicit
     pressure_(system),
     sudden_(system),
     passes_(dict),
-    balance_(system),
-    ends_(false)
+    balance_(system)
 {
     checkKeys(dict, {"type", "passes", "passTolerance"});
 }
@@ -224,11 +223,7 @@ void Foam::fsi::solidImplicit::endMove(const volVectorField& U)
     if (countsLayer())
     {
         balance_.endMove(U);
-    }
-    if (ends_)
-    {
         hydrodynamicForce_ += balance_.close();
-        ends_ = false;
     }
 }
 
@@ -239,8 +234,8 @@ void Foam::fsi::solidImplicit::end
     const volVectorField& U
 )
 {
-    ends_ = system_.fluid.conserves();
-    if (ends_)
+    const bool conserves = system_.fluid.conserves();
+    if (conserves)
     {
         settle(U);
     }
@@ -251,6 +246,10 @@ void Foam::fsi::solidImplicit::end
     system_.walls.transpose(p.primitiveField(), nodal);
     hydrodynamicForce_ =
         linkForce_ + gradientForce_ + system_.fluidDensity*nodal;
+    if (conserves && !countsLayer())
+    {
+        hydrodynamicForce_ += balance_.close();
+    }
 
     groupNodal links;
     system_.objects.layout().toGroups(linkForce_, links);

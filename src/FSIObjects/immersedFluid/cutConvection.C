@@ -2,6 +2,7 @@
 
 #include "cutConvection.H"
 #include "levelSetUpdate.H"
+#include "objectMeans.H"
 #include "swapCoupledCells.H"
 #include "vectorList.H"
 
@@ -162,13 +163,7 @@ void Foam::fsi::cutConvection::addLoss
 {
     // Relative to the mean velocity of an object, to which all fluxes add up to
     // nothing, but for the tolerance of the pressure
-    vectorField mean(surfaces.nOriginals());
-    forAll(mean, objecti)
-    {
-        const label start = surfaces.pointStart()[objecti];
-        const label end = surfaces.pointStart()[objecti + 1];
-        mean[objecti] = average(SubField<vector>(v, end - start, start));
-    }
+    const vectorField mean(objectMeans(surfaces, v));
     addLinks(U, mean, nodal);
 
     // Farther cells have no cut faces, and some ranks do not know them as near

@@ -114,6 +114,28 @@ Foam::scalarField Foam::fsi::faceVelocities::patchMean
 }
 
 
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::patchVelocity
+(
+    const volVectorField& U
+)
+{
+    const fvMesh& mesh = U.mesh();
+    auto tvelocity = newTmp<surfaceScalarField>
+    (
+        IOobject("faceVelocity", nameOf(mesh.time()), mesh),
+        mesh,
+        dimVelocity
+    );
+    surfaceScalarField& velocity = tvelocity.ref();
+    setOriented(velocity);
+    forAll(velocity.boundaryField(), patchi)
+    {
+        velocity.boundaryFieldRef()[patchi] = patchMean(U, patchi);
+    }
+    return tvelocity;
+}
+
+
 Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::middleVelocity
 (
     const sources& v
@@ -133,24 +155,14 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::middleVelocity
         sum.ref().correctBoundaryConditions();
     }
 
-    auto tvelocity = newTmp<surfaceScalarField>
-    (
-        IOobject("faceVelocity", nameOf(mesh.time()), mesh),
-        mesh,
-        dimVelocity
-    );
+    tmp<surfaceScalarField> tvelocity(patchVelocity(sum()));
     surfaceScalarField& velocity = tvelocity.ref();
-    setOriented(velocity);
     const vectorField& cells = sum().primitiveField();
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
     forAll(velocity, facei)
     {
         velocity[facei] = mean(cells, own, nei, facei);
-    }
-    forAll(velocity.boundaryField(), patchi)
-    {
-        velocity.boundaryFieldRef()[patchi] = patchMean(sum(), patchi);
     }
     setCutFaces(v, velocity);
     return tvelocity;
@@ -176,14 +188,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::nearVelocity
 {
     // Pages of faces that are not near are never touched
     const fvMesh& mesh = U.mesh();
-    auto tvelocity = newTmp<surfaceScalarField>
-    (
-        IOobject("nearVelocity", nameOf(mesh.time()), mesh),
-        mesh,
-        dimVelocity
-    );
+    tmp<surfaceScalarField> tvelocity(patchVelocity(U));
     surfaceScalarField& velocity = tvelocity.ref();
-    setOriented(velocity);
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
     for (const label facei : geometry_.nearFaces())
@@ -192,10 +198,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::nearVelocity
         {
             velocity[facei] = mean(U, own, nei, facei);
         }
-    }
-    forAll(velocity.boundaryField(), patchi)
-    {
-        velocity.boundaryFieldRef()[patchi] = patchMean(U, patchi);
     }
     const sources v{U, wallVelocity, nullptr, 0};
     setCutFaces(v, velocity);

@@ -2,6 +2,7 @@
 
 #include "immersedFluid.H"
 #include "levelSetUpdate.H"
+#include "objectMeans.H"
 #include "openfoamMesh.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -55,17 +56,7 @@ void Foam::fsi::immersedFluid::setSolidVelocity
     const boolList& fluid = geometry_.fluidCell();
 
     // Mean velocity of each object's nodes, for cells far from its surface
-    vectorField mean(surfaces.size(), Zero);
-    forAll(mean, objecti)
-    {
-        const label start = surfaces.pointStart()[objecti];
-        const label end = surfaces.pointStart()[objecti + 1];
-        mean[objecti] =
-            average
-            (
-                SubField<vector>(surfaces.velocities(), end - start, start)
-            );
-    }
+    const vectorField mean(objectMeans(surfaces, surfaces.velocities()));
 
     FixedList<scalar, 3> weights;
     forAll(fluid, celli)

@@ -218,14 +218,10 @@ void Foam::fsi::immersedFlux::endMove
 {
     const scalar h = geometry_.grid().spacing();
     const scalar deltaT = history_ == history::fading ? rule_.step() : 0;
-
-    // With a rule of second order the history of cut faces hardly fades, so
-    // that it must not take more
     moved_.end
     (
         U,
         walls,
-        !rule_.secondOrder(),
         deltaT*viscosity*sqr(constant::mathematical::pi/h),
         deltaT/h,
         faceHistory_

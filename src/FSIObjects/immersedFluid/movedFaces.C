@@ -57,16 +57,14 @@ void Foam::fsi::movedFaces::end
 (
     const volVectorField& U,
     const vectorField& walls,
-    const bool keep,
     const scalar rate,
     const scalar perSpeed,
     surfaceScalarField& history
 )
 {
     after_ = faces_.nearVelocity(U, walls);
-    if (!keep)
+    if (!before_.valid())
     {
-        before_.clear();
         return;
     }
     const auto jump = [&](const scalar before, const scalar after)
