@@ -78,6 +78,12 @@ class BoxFiles:
         with open(path, "w", encoding="ascii") as stream:
             stream.write(HEADER.format(kind, os.path.basename(name)) + text)
 
+    def append(self, name, text):
+        """Adds text to the file "name" of the case."""
+        with open(os.path.join(self.path, name), "a",
+                  encoding="ascii") as stream:
+            stream.write(text)
+
     def write(self):
         """Writes all files but controlDict."""
         v = self.values

@@ -27,10 +27,11 @@ import settlingSphere
 import shearBox
 import softDisc
 import suspension
+import timeOrder
 import timeStep
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
-           timeStep, fixedWalls, shearBox, settlingSphere, rigidStiff,
+           timeOrder, timeStep, fixedWalls, shearBox, settlingSphere, rigidStiff,
            oscillatingSphere, suspension)
 
 

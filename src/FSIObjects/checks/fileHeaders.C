@@ -5,6 +5,7 @@
 #include "openfoamVersion.H"
 #include "OSspecific.H"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
@@ -17,14 +18,29 @@ namespace fsi
 namespace fileHeaders
 {
 
-//- Number behind the word version of a file's header, 2 if there is none
-static double versionOf(const fileName& file)
+//- The first and the last characters of a file, where a field's entries are
+static std::string endsOf(const fileName& file)
 {
     std::ifstream is(file, std::ios::binary);
     std::string text(4000, ' ');
     is.read(&text[0], text.size());
     text.resize(is.gcount());
+    if (is)
+    {
+        is.seekg(0, std::ios::end);
+        const std::streamoff rest(is.tellg() - std::streamoff(text.size()));
+        std::string end(std::min<std::streamoff>(rest, 20000), ' ');
+        is.seekg(-std::streamoff(end.size()), std::ios::end);
+        is.read(&end[0], end.size());
+        text += end;
+    }
+    return text;
+}
 
+
+//- Number behind the word version of a file's header, 2 if there is none
+static double versionOf(const std::string& text)
+{
     const std::string key("version");
     const std::size_t header = text.find("FoamFile");
     const std::size_t found =
@@ -34,6 +50,28 @@ static double versionOf(const fileName& file)
         return 2;
     }
     return std::strtod(text.c_str() + found + key.size(), nullptr);
+}
+
+
+//- Is an entry a dictionary in one of its places?
+static bool isDictionary(const std::string& text, const std::string& key)
+{
+    const std::string line('\n' + key);
+    for
+    (
+        std::size_t found = text.find(line);
+        found != std::string::npos;
+        found = text.find(line, found + 1)
+    )
+    {
+        const std::size_t value =
+            text.find_first_not_of(" \t\r\n", found + line.size());
+        if (value != std::string::npos && text[value] == '{')
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 } // End namespace fileHeaders
@@ -47,13 +85,24 @@ void Foam::fsi::fileHeaders::check(const fileName& folder)
 {
     for (const fileName& name : filesIn(folder))
     {
-        const double version = versionOf(folder/name);
+        const std::string text(endsOf(folder/name));
+        const double version = versionOf(text);
         if (!isUsable(version) || version < 0 || version > 100)
         {
             FatalErrorInFunction
                 << "Entry 'version' in the header of file " << folder/name
                 << " is " << version << ": OpenFOAM's is 2.0"
                 << exit(FatalError);
+        }
+        for (const char* key : {"dimensions", "internalField"})
+        {
+            if (isDictionary(text, key))
+            {
+                FatalErrorInFunction
+                    << "Entry '" << key << "' in file " << folder/name
+                    << " is a dictionary: it must be the value of a field"
+                    << exit(FatalError);
+            }
         }
     }
 }

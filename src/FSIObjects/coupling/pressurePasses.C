@@ -9,7 +9,7 @@
 
 Foam::fsi::pressurePasses::pressurePasses(const dictionary& dict)
 :
-    most_(readAtLeast(dict, "passes", 1, 1)),
+    most_(readAtLeast(dict, "passes", 4, 1)),
     tolerance_(readPositive(dict, "passTolerance", 0.002)),
     done_(0),
     error_(0),

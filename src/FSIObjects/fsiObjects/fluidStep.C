@@ -30,6 +30,7 @@ Foam::fsi::fluidStep::fluidStep
             << " but must be Euler or backward"
             << exit(FatalIOError);
     }
+    immersedMomentum::interpolation(phi);
     objects_.setSolidVelocity(U_);
 }
 

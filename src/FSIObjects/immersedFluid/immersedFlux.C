@@ -38,59 +38,6 @@ Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
 }
 
 
-Foam::fsi::fadingPart Foam::fsi::immersedFlux::fadingGradient
-(
-    const volVectorField& U,
-    const scalar viscosity
-) const
-{
-    const scalar h = geometry_.grid().spacing();
-    const scalar deltaT = rule_.step();
-    fadingPart part(geometry_.grid().faceArea()*deltaT);
-    if (rule_.secondOrder())
-    {
-        part.set(U.mesh(), fadingInStep(U, viscosity));
-    }
-    else
-    {
-        part.set(deltaT*viscosity*4/sqr(h));
-    }
-    return part;
-}
-
-
-void Foam::fsi::immersedFlux::fadeOnPatches
-(
-    const fadingPart& lost,
-    const volVectorField& gradient,
-    const volScalarField& p,
-    surfaceScalarField& flux
-) const
-{
-    const surfaceScalarField& open = geometry_.openArea();
-    const surfaceScalarField& fluidFace = geometry_.fluidFace();
-    forAll(p.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pp = p.boundaryField()[patchi];
-        if (pp.coupled())
-        {
-            const scalarField difference
-            (
-                faceVelocities::patchMean(gradient, patchi)
-              - pp.snGrad(pp.patch().deltaCoeffs())
-            );
-            forAll(difference, i)
-            {
-                flux.boundaryFieldRef()[patchi][i] -=
-                    lost.onPatch(pp.patch(), i)
-                   *open.boundaryField()[patchi][i]
-                   *fluidFace.boundaryField()[patchi][i]*difference[i];
-            }
-        }
-    }
-}
-
-
 Foam::scalar Foam::fsi::immersedFlux::kept
 (
     const scalar velocity,
@@ -175,24 +122,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const tmp<surfaceScalarField> thistory(rule_.start(faceHistory_));
     const surfaceScalarField& history = thistory();
     const surfaceScalarField& open = geometry_.openArea();
-    const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar area = geometry_.grid().faceArea();
-    const scalar h = geometry_.grid().spacing();
-    const bool fades = history_ == history::fading;
-    const fadingPart lost(fades ? fadingGradient(U, viscosity) : fadingPart(0));
-    const labelUList& own = p.mesh().owner();
-    const labelUList& nei = p.mesh().neighbour();
     forAll(flux, facei)
     {
         flux[facei] = (flux[facei] + history[facei])*area*open[facei];
-        if (fades)
-        {
-            const scalar difference =
-                faces_.mean(gradient, own, nei, facei)
-              - (p[nei[facei]] - p[own[facei]])/h;
-            flux[facei] -=
-                lost.inside(facei)*open[facei]*fluidFace[facei]*difference;
-        }
     }
     forAll(flux.boundaryField(), patchi)
     {
@@ -201,9 +134,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
             (pf + history.boundaryField()[patchi])
            *pf.patch().magSf()*open.boundaryField()[patchi];
     }
-    if (fades)
+    if (history_ == history::fading)
     {
-        fadeOnPatches(lost, gradient, p, flux);
+        fade(fadingGradient(U, viscosity), gradient, p, flux);
     }
     return tflux;
 }

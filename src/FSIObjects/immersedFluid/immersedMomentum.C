@@ -3,15 +3,33 @@
 #include "immersedMomentum.H"
 #include "dictionaryCheck.H"
 #include "fetchAhead.H"
-#include "fvmDiv.H"
+#include "fvcSurfaceIntegrate.H"
 #include "openfoamMesh.H"
 #include "openLaplacian.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::immersedMomentum::addDiffusion
+Foam::tmp<Foam::surfaceInterpolationScheme<Foam::vector>>
+Foam::fsi::immersedMomentum::interpolation(const surfaceScalarField& flux)
+{
+    const fvMesh& mesh = flux.mesh();
+    ITstream& scheme = divSchemeOf(mesh, "div(phi,U)");
+    const word kind(scheme);
+    if (kind != "Gauss")
+    {
+        FatalIOErrorInFunction(schemesOf(mesh))
+            << "Entry 'div(phi,U)' or 'default' of divSchemes is " << kind
+            << " but must be Gauss with an interpolation, as Gauss linear"
+            << exit(FatalIOError);
+    }
+    return surfaceInterpolationScheme<vector>::New(mesh, flux, scheme);
+}
+
+
+void Foam::fsi::immersedMomentum::setFaces
 (
     const surfaceScalarField& flux,
+    const surfaceScalarField& weights,
     const scalar viscosity,
     fvVectorMatrix& equation
 ) const
@@ -24,31 +42,73 @@ void Foam::fsi::immersedMomentum::addDiffusion
     scalarField& diagonal = equation.diag();
     scalarField& upper = equation.upper();
     scalarField& lower = equation.lower();
+    diagonal = Zero;
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
     forAll(upper, facei)
     {
+        // As the sum of its coefficients is without u div(flux)
         const scalar g = conductance*fluidFace[facei];
-        upper[facei] -= g;
-        lower[facei] -= g;
-        diagonal[own[facei]] += g - flux[facei];
-        diagonal[nei[facei]] += g + flux[facei];
+        const scalar ofOwner = weights[facei]*flux[facei];
+        lower[facei] = -(g + ofOwner);
+        upper[facei] = flux[facei] - ofOwner - g;
+        diagonal[own[facei]] -= upper[facei];
+        diagonal[nei[facei]] -= lower[facei];
     }
-    forAll(mesh.boundary(), patchi)
+}
+
+
+void Foam::fsi::immersedMomentum::setPatches
+(
+    const surfaceScalarField& flux,
+    const surfaceScalarField& weights,
+    const scalar viscosity,
+    fvVectorMatrix& equation
+) const
+{
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    scalarField& diagonal = equation.diag();
+    forAll(flux.boundaryField(), patchi)
     {
-        const fvPatch& patch = mesh.boundary()[patchi];
+        const fvsPatchScalarField& pf = flux.boundaryField()[patchi];
+        const fvsPatchScalarField& pw = weights.boundaryField()[patchi];
+        const fvPatchVectorField& pU = equation.psi().boundaryField()[patchi];
+        internalCoeffsOf(equation)[patchi] = pf*pU.valueInternalCoeffs(pw);
+        boundaryCoeffsOf(equation)[patchi] = -pf*pU.valueBoundaryCoeffs(pw);
         addPatchDiffusion
         (
             patchi,
-            viscosity*fluidFace.boundaryField()[patchi]*patch.magSf(),
+            viscosity*fluidFace.boundaryField()[patchi]*pf.patch().magSf(),
             equation
         );
-        const labelUList& cells = patch.faceCells();
+        const labelUList& cells = pf.patch().faceCells();
         forAll(cells, i)
         {
-            diagonal[cells[i]] -= flux.boundaryField()[patchi][i];
+            diagonal[cells[i]] -= pf[i];
         }
     }
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::transport
+(
+    const surfaceScalarField& flux,
+    volVectorField& U,
+    const scalar viscosity
+) const
+{
+    auto tequation =
+        newTmp<fvVectorMatrix>(U, flux.dimensions()*U.dimensions());
+    const tmp<surfaceInterpolationScheme<vector>> tscheme(interpolation(flux));
+    const tmp<surfaceScalarField> tweights(tscheme().weights(U));
+    setFaces(flux, tweights(), viscosity, tequation.ref());
+    setPatches(flux, tweights(), viscosity, tequation.ref());
+    if (tscheme().corrected())
+    {
+        tequation.ref() +=
+            fvc::surfaceIntegrate(flux*tscheme().correction(U));
+    }
+    return tequation;
 }
 
 
@@ -87,10 +147,8 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::momentum
     {
         cut_.begin(flux);
     }
-    tmp<fvVectorMatrix> tequation(fvm::div(flux, U, "div(phi,U)"));
+    tmp<fvVectorMatrix> tequation(transport(flux, U, viscosity));
     fvVectorMatrix& equation = tequation.ref();
-    addDiffusion(flux, viscosity, equation);
-
     const scalar perStep = 1/rule_.step();
     const scalarField& V = U.mesh().V();
     const tmp<vectorField> tlast(rule_.start(U));

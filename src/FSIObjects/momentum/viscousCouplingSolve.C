@@ -15,30 +15,37 @@ namespace Foam
 namespace fsi
 {
 
-//- Say so if the sweeps ended before the tolerance
-static void warnUnconverged(const solverPerformance& result)
+//- Stop before the squares of the sweeps' numbers overflow
+static void checkConverges
+(
+    const scalar residual,
+    const label nSweeps,
+    const scalar limit = 1e15
+)
 {
-    if (!result.converged())
+    if (!(residual < limit))
     {
-        WarningInFunction
-            << "The velocity's sweeps did not converge: residual "
-            << result.finalResidual() << " after " << result.nIterations()
-            << " (maxIter in fvSolution). Take a smaller deltaT" << endl;
+        FatalErrorInFunction
+            << "The velocity's sweeps diverge: residual " << residual
+            << " after " << nSweeps
+            << ". Take a smaller deltaT (Courant number below 1) or"
+            << " adjustTimeStep with maxCo; give very soft bodies a viscosity"
+            << " (material)" << exit(FatalError);
     }
 }
 
 
-//- Stop before the squares of the sweeps' numbers overflow
-static void checkConverges(const solverPerformance& result)
+//- Say so if the sweeps ended before the tolerance; stop where zero would have
+//  been a better velocity
+static void checkEnd(const solverPerformance& result)
 {
-    if (!(result.finalResidual() < 1e15))
+    if (!result.converged())
     {
-        FatalErrorInFunction
-            << "The velocity's sweeps diverge: residual "
+        checkConverges(result.finalResidual(), result.nIterations(), 1);
+        WarningInFunction
+            << "The velocity's sweeps did not converge: residual "
             << result.finalResidual() << " after " << result.nIterations()
-            << ". Take a smaller deltaT (Courant number below 1) or"
-            << " adjustTimeStep with maxCo; give very soft bodies a viscosity"
-            << " (material)" << exit(FatalError);
+            << " (maxIter in fvSolution). Take a smaller deltaT" << endl;
     }
 }
 
@@ -118,7 +125,7 @@ void Foam::fsi::viscousCoupling::sweep
         {
             result.initialResidual() = result.finalResidual();
         }
-        checkConverges(result);
+        checkConverges(result.finalResidual(), result.nIterations());
         overRelax(v);
         moveWalls(v);
         relaxation_.observe(result.finalResidual());
@@ -167,7 +174,7 @@ void Foam::fsi::viscousCoupling::solve
             result.converged()
         )
     );
-    warnUnconverged(result);
+    checkEnd(result);
 
     matrix_.get(U.primitiveFieldRef());
     U.correctBoundaryConditions();
@@ -218,6 +225,7 @@ Foam::FixedList<Foam::scalar, 2> Foam::fsi::viscousCoupling::addResponse
             matrix_.startCorrection(norm);
         }
         const scalar residual = matrix_.sweep(1);
+        checkConverges(residual, nSweeps);
         if (sqr(residual) <= tolerance*before)
         {
             break;

@@ -9,6 +9,20 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Tenths of a second that a lock is waited for
+static const label patience = 50;
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::caseLock::caseLock(const fileName& folder)
@@ -20,15 +34,20 @@ Foam::fsi::caseLock::caseLock(const fileName& folder)
         return;
     }
     folder_ = ::open(folder.c_str(), O_RDONLY | O_CLOEXEC);
-    if (folder_ >= 0 && ::flock(folder_, LOCK_EX | LOCK_NB) != 0)
+    for (label tries = 0; folder_ >= 0; ++tries)
     {
-        if (errno == EWOULDBLOCK)
+        if (::flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+        {
+            break;
+        }
+        if (tries == patience)
         {
             FatalErrorInFunction
                 << "Another run works in " << folder
                 << ": wait for its end, or copy the case"
                 << exit(FatalError);
         }
+        ::usleep(100000);
     }
 }
 

@@ -57,18 +57,23 @@ Foam::scalarField Foam::fsi::objectsConductance::interiorFactor() const
 void Foam::fsi::objectsConductance::setInterior
 (
     const cellObjects& objects,
-    scalarField& conductance
+    faceValues& conductance
 ) const
 {
     const cartesianMesh& grid = system_.grid;
     const scalar face =
         system_.stepTime()*grid.faceArea()/grid.spacing();
+    const label nInternal = grid.mesh().nInternalFaces();
     const scalarField factor(interiorFactor());
     grid.forFaces([&](const label facei)
     {
         const label own = objects.own(facei);
         const bool same = own >= 0 && own == objects.neighbour(facei);
-        conductance[facei] = same ? face*factor[own] : 0;
+        conductance.face[facei] = same ? face*factor[own] : 0;
+        if (same && facei < nInternal)
+        {
+            conductance.faces.append(facei);
+        }
     });
 }
 
@@ -76,11 +81,12 @@ void Foam::fsi::objectsConductance::setInterior
 void Foam::fsi::objectsConductance::addWalls
 (
     const cellObjects& objects,
-    scalarField& conductance
+    faceValues& conductance
 ) const
 {
     const UList<wallFace>& faces = system_.geometry.wallFaces();
     const wallOperator& walls = system_.walls;
+    const label nInternal = system_.grid.mesh().nInternalFaces();
 
     // Closed area of each cell at walls towards the inside
     const scalarField d(estimate*diagonal());
@@ -104,7 +110,7 @@ void Foam::fsi::objectsConductance::addWalls
     forAll(faces, i)
     {
         const label later = fetchedAhead(faces, i).face;
-        fetchAhead(conductance[later]);
+        fetchAhead(conductance.face[later]);
         const wallFace& w = faces[i];
         const bool thin =
             w.lower >= 0 && w.upper >= 0
@@ -114,7 +120,12 @@ void Foam::fsi::objectsConductance::addWalls
             if (celli >= 0 && (thin || reaches[i]))
             {
                 const label at = walls.place(celli);
-                conductance[w.face] += w.area*d[at]/(thin ? all : inner)[at];
+                scalar& g = conductance.face[w.face];
+                if (g == 0 && w.face < nInternal)
+                {
+                    conductance.faces.append(w.face);
+                }
+                g += w.area*d[at]/(thin ? all : inner)[at];
             }
         }
     }
@@ -131,7 +142,7 @@ Foam::fsi::objectsConductance::objectsConductance(const fsiSystem& system)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::scalarField>
+Foam::fsi::objectsConductance::faceValues
 Foam::fsi::objectsConductance::conductance() const
 {
     const fvMesh& mesh = system_.grid.mesh();
@@ -145,21 +156,21 @@ Foam::fsi::objectsConductance::conductance() const
     };
     swapCoupledCells(mesh, objects.object, objects.across);
 
-    auto tg = newTmp<scalarField>(mesh.nFaces());
-    scalarField& g = tg.ref();
+    faceValues g;
+    g.face.setSize(mesh.nFaces());
     setInterior(objects, g);
     addWalls(objects, g);
 
     // The rank of the cell inside has no wall
-    SubList<scalar> boundary(g, mesh.nFaces() - nInternal, nInternal);
+    SubList<scalar> boundary(g.face, mesh.nFaces() - nInternal, nInternal);
     syncTools::syncBoundaryFaceList(mesh, boundary, maxEqOp<scalar>());
-    return tg;
+    return g;
 }
 
 
 void Foam::fsi::objectsConductance::add
 (
-    const scalarField& conductance,
+    const faceValues& conductance,
     const scalar sign,
     fvScalarMatrix& matrix
 )
@@ -168,23 +179,19 @@ void Foam::fsi::objectsConductance::add
     const labelUList& nei = matrix.lduAddr().upperAddr();
     scalarField& diagonal = matrix.diag();
     scalarField& upper = matrix.upper();
-    forAll(upper, facei)
+    for (const label facei : conductance.faces)
     {
-        // Few faces have one: the others' coefficients are not touched
-        if (conductance[facei] != 0)
-        {
-            const scalar g = sign*conductance[facei];
-            upper[facei] -= g;
-            diagonal[own[facei]] += g;
-            diagonal[nei[facei]] += g;
-        }
+        const scalar g = sign*conductance.face[facei];
+        upper[facei] -= g;
+        diagonal[own[facei]] += g;
+        diagonal[nei[facei]] += g;
     }
     forAll(matrix.psi().mesh().boundary(), patchi)
     {
         const fvPatch& patch = matrix.psi().mesh().boundary()[patchi];
         for (label i = 0; i < patch.size() && patch.coupled(); ++i)
         {
-            const scalar g = sign*conductance[patch.start() + i];
+            const scalar g = sign*conductance.face[patch.start() + i];
             boundaryCoeffsOf(matrix)[patchi][i] += g;
             diagonal[patch.faceCells()[i]] += g;
         }

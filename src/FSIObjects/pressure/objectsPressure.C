@@ -60,13 +60,16 @@ void Foam::fsi::objectsPressure::updateMultigrid
 
     // Cells inside the objects conduct in the cycle, not in the equation,
     // whose cells that are not active have a diagonal of exactly zero
-    const tmp<scalarField> g(conductance_.conductance());
+    const objectsConductance::faceValues g(conductance_.conductance());
     scalarField diagonal(pEqn.diag());
-    objectsConductance::add(g(), 1, pEqn);
+    objectsConductance::add(g, 1, pEqn);
     multigrid_->update(pEqn, boundaryCoeffsOf(pEqn), interfaces);
-    objectsConductance::add(g(), -1, pEqn);
+    objectsConductance::add(g, -1, pEqn);
     pEqn.diag().swap(diagonal);
-    multigrid_->updateProduct(pEqn, boundaryCoeffsOf(pEqn), interfaces);
+    multigrid_->updateProduct
+    (
+        pEqn, boundaryCoeffsOf(pEqn), interfaces, g.faces
+    );
 }
 
 

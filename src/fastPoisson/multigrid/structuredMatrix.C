@@ -16,7 +16,13 @@ Foam::label Foam::fsi::structuredMatrix::target(const label celli) const
 }
 
 
-void Foam::fsi::structuredMatrix::setInternal(const scalarField& upper)
+template<class Face>
+void Foam::fsi::structuredMatrix::setInternal
+(
+    const scalarField& upper,
+    const label n,
+    const Face& face
+)
 {
     const bool local = lattice_.transfer().local();
     const List<direction>& dir = lattice_.map().faceDirection();
@@ -25,8 +31,9 @@ void Foam::fsi::structuredMatrix::setInternal(const scalarField& upper)
     {
         to[d] = local ? face_[d].data() : cellFace_[d].data();
     }
-    forAll(upper, facei)
+    for (label i = 0; i < n; ++i)
     {
+        const label facei = face(i);
         to[dir[facei]][target_[facei]] = -sign_*upper[facei];
     }
 }
@@ -71,6 +78,46 @@ void Foam::fsi::structuredMatrix::setPatch
             }
         }
     }
+}
+
+
+void Foam::fsi::structuredMatrix::setRows
+(
+    const lduMatrix& matrix,
+    const FieldField<Field, scalar>& interfaceBouCoeffs,
+    const lduInterfaceFieldPtrsList& interfaces
+)
+{
+    scalarField diagonal(sign_*matrix.diag());
+    forAll(interfaces, patchi)
+    {
+        if (interfaces.set(patchi))
+        {
+            setPatch(patchi, interfaceBouCoeffs[patchi], diagonal);
+        }
+    }
+
+    const cellTransfer& transfer = lattice_.transfer();
+    transfer.toBlock(diagonal, 1, diagonal_.data());
+    for (direction d = 0; d < nDirections(); ++d)
+    {
+        if (!transfer.local())
+        {
+            transfer.toBlock(cellFace_[d], 1, face_[d].data());
+        }
+        halo_.fillHigh(d, face_[d].data());
+    }
+    rowSums(A_, rowSum_.data());
+
+    singular_ = true;
+    forRows([&](const label place)
+    {
+        // Up to rounding
+        singular_ =
+            singular_
+         && mag(rowSum_[place]) <= 1e-12*A_.diagonal[place];
+    });
+    reduceOverRanks(singular_, andOp<bool>(), lattice_.comm());
 }
 
 
@@ -135,45 +182,29 @@ void Foam::fsi::structuredMatrix::update
     const lduInterfaceFieldPtrsList& interfaces
 )
 {
-    const label comm = lattice_.comm();
     scalar total = sum(matrix.diag());
-    reduceOverRanks(total, sumOp<scalar>(), comm);
+    reduceOverRanks(total, sumOp<scalar>(), lattice_.comm());
     sign_ = total < 0 ? -1 : 1;
-
-    scalarField diagonal(sign_*matrix.diag());
     if (matrix.hasUpper())
     {
-        setInternal(matrix.upper());
+        const scalarField& upper = matrix.upper();
+        setInternal(upper, upper.size(), [](const label i) { return i; });
     }
-    forAll(interfaces, patchi)
-    {
-        if (interfaces.set(patchi))
-        {
-            setPatch(patchi, interfaceBouCoeffs[patchi], diagonal);
-        }
-    }
+    setRows(matrix, interfaceBouCoeffs, interfaces);
+}
 
-    const cellTransfer& transfer = lattice_.transfer();
-    transfer.toBlock(diagonal, 1, diagonal_.data());
-    for (direction d = 0; d < nDirections(); ++d)
-    {
-        if (!transfer.local())
-        {
-            transfer.toBlock(cellFace_[d], 1, face_[d].data());
-        }
-        halo_.fillHigh(d, face_[d].data());
-    }
-    rowSums(A_, rowSum_.data());
 
-    singular_ = true;
-    forRows([&](const label place)
-    {
-        // Up to rounding
-        singular_ =
-            singular_
-         && mag(rowSum_[place]) <= 1e-12*A_.diagonal[place];
-    });
-    reduceOverRanks(singular_, andOp<bool>(), comm);
+void Foam::fsi::structuredMatrix::change
+(
+    const lduMatrix& matrix,
+    const FieldField<Field, scalar>& interfaceBouCoeffs,
+    const lduInterfaceFieldPtrsList& interfaces,
+    const labelUList& faces
+)
+{
+    const auto face = [&](const label i) { return faces[i]; };
+    setInternal(matrix.upper(), faces.size(), face);
+    setRows(matrix, interfaceBouCoeffs, interfaces);
 }
 
 

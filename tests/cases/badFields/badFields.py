@@ -34,6 +34,8 @@ EDITS = [
      r"\1(1e300 0 0)", ("0/U", "'top'", "1e15")),
     ("absurd velocity", "0/U", r"internalField uniform \(0 0 0\)",
      "internalField uniform (0 1e300 0)", ("0/U", "internalField")),
+    ("a dictionary for values", "0/p", "boundaryField", "internalField",
+     ("0/p", "internalField", "dictionary")),
     ("fixedFluxPressure", "0/p", r"(top.*type )zeroGradient",
      r"\1fixedFluxPressure; value uniform 0", ("0/p", "'top'",
                                                 "zeroGradient")),
@@ -157,9 +159,7 @@ def check_walls(report, folder):
     """Blocks that are not merged."""
     case = fsiCase.Case(os.path.join(folder, "walls"), cells=(20, 20),
                         shapes=DISC, placements=ONE)
-    with open(os.path.join(case.path, "system/blockMeshDict"), "a",
-              encoding="ascii") as stream:
-        stream.write(BLOCKS)
+    case.append("system/blockMeshDict", BLOCKS)
     case.run("blockMesh")
     refused(report, "wall inside the domain", case,
             ("middle", "inside the mesh's box", "fixed"), "seedObjects")

@@ -14,6 +14,7 @@ import sys
 
 import boxFiles
 import fsiCase
+import results
 
 SHAPE = ("disc {{ shape {{ {shape} }} material {{ density {density}; E 1e4; "
          "{law} }} {more} }}")
@@ -186,9 +187,7 @@ def check_seeding(report, case):
 
     case.values.update(shapes({}))
     case.write()
-    with open(os.path.join(case.path, "system/seedObjectsDict"), "a",
-              encoding="ascii") as stream:
-        stream.write("colour red;\n")
+    case.append("system/seedObjectsDict", "colour red;\n")
     refused(report, "wrong key in seedObjectsDict", case, "seedObjects",
             ("FATAL IO ERROR", "seedObjectsDict", "colour", "placements"))
 
@@ -212,17 +211,16 @@ def check_control(report, case):
                 ("FATAL IO ERROR", "controlDict", "deltaT"))
     case.control(deltaT=0.01)
 
-    schemes = os.path.join(case.path, "system/fvSchemes")
-    for scheme in ("steadyState", "CrankNicolson"):
-        with open(schemes, "a", encoding="ascii") as stream:
-            stream.write(f"ddtSchemes {{ default {scheme}; }}\n")
-        refused(report, f"time scheme {scheme}", case, "fsiPisoFoam",
-                ("FATAL IO ERROR", "fvSchemes", scheme, "backward"))
+    for kind, name, scheme, valid in (
+            ("ddtSchemes", "default", "steadyState", "backward"),
+            ("ddtSchemes", "default", "CrankNicolson", "backward"),
+            ("divSchemes", "div(phi,U)", "bounded Gauss linear", "as Gauss")):
+        case.append("system/fvSchemes", f"{kind} {{ {name} {scheme}; }}\n")
+        refused(report, f"{name} {scheme}", case, "fsiPisoFoam",
+                ("FATAL IO ERROR", "fvSchemes", scheme.split()[0], valid))
         case.write()
 
-    with open(os.path.join(case.path, "system/fvSolution"), "a",
-              encoding="ascii") as stream:
-        stream.write("solvers { p { solver PGC; } }\n")
+    case.append("system/fvSolution", "solvers { p { solver PGC; } }\n")
     refused(report, "unknown solver of the pressure", case, "fsiPisoFoam",
             ("FATAL IO ERROR", "fvSolution", "PGC", "cartesianMG"))
     case.write()
@@ -248,14 +246,13 @@ def check_sides(report, folder):
         properties="boundaries { feed { left { shape disc; rate 1; "
                    "velocity (1 0 0); } } }\n", **shapes({}))
     case.write()
-    path = os.path.join(case.path, "system/blockMeshDict")
-    with open(path, encoding="ascii") as stream:
-        text = stream.read()
+    text = results.read(case.path, "system/blockMeshDict")
     right = re.search(r"right \{.*\n", text).group()
     faces = boxFiles.FACES
     text = text.replace(right, "").replace(
         faces["left"], f"{faces['left']} {faces['right']}")
-    with open(path, "w", encoding="ascii") as stream:
+    with open(os.path.join(case.path, "system/blockMeshDict"), "w",
+              encoding="ascii") as stream:
         stream.write(text)
     case.run("blockMesh")
     case.run("seedObjects")
