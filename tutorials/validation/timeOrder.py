@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Order in time with ddtSchemes backward, on one mesh, of what objects do: a
 disc that settles, one that is carried along off the middle of a channel, as in
-the migration cases, and a soft one that swings; in 3D a sphere in a channel.
-The equations of a step are solved to the end, by many passes. The order is that
-of differences between steps that are halved; there is no reference but 2."""
+the migration cases, a soft one that swings, and the flow that drags a sphere
+along. The equations of a step are solved to the end, by many passes.
+
+The order is that of differences between steps that are halved, 2 at most. Where
+a surface passes the centre of a cell it leaves a jump, which falls with the
+mesh and not with the step: differences below 2e-4 of the way that was made are
+reported only."""
 
 import math
 
-from common import Case, disc, placed, Row
+from common import Case, Field, Row, disc, placed, sphere
+import results
 
 CELLS = 32
 
-# Steps of each run
-STEPS = (20, 40, 80, 160)
+NOISE = 2e-4
 
 PASSES = ("coupling { passes 30; passTolerance 1e-7; } "
           "contact { range 1; } ")
@@ -27,56 +31,72 @@ def backward(name, n, end, **parameters):
         timePrecision=12, **parameters).set_up()
 
 
+def driven(acceleration):
+    """A force along x."""
+    return ("drivingForce { type acceleration; "
+            f"acceleration ({acceleration} 0 0); }}")
+
+
 def settles(n):
-    """Height of a disc, from rest under gravity."""
+    """Way of a disc, from rest under gravity."""
     case = backward(
-        "settling", n, 0.4, box=(0, 0, 1, 2), cells=(CELLS, 2*CELLS),
-        viscosity=0.05, gravity="(0 -1 0)", shapes=disc(0.2, "density 1.5; "
-                                                        "E 1e3;"),
+        "settling", n, 2, box=(0, 0, 1, 2), cells=(CELLS, 2*CELLS),
+        viscosity=0.05, gravity="(0 -1 0)",
+        shapes=disc(0.2, "density 1.5; E 1e3;"),
         placements=placed("disc", (0.47, 1.4)))
     minutes = case.solve_only()
-    return [case.objects()[-1]["centroidY"]], minutes
+    return 1.4 - case.objects()[-1]["centroidY"], minutes
 
 
 def carried(n):
-    """Place of a disc off the middle of a channel, from rest."""
+    """Way of a disc off the middle of a channel, from rest."""
     case = backward(
         "carried", n, 1, cells=(CELLS, CELLS), viscosity=0.1, cyclic="x",
         shapes=disc(0.15, "density 1; E 1e3;"),
-        placements=placed("disc", (0.3, 0.35)),
-        properties="drivingForce { type acceleration; "
-                   "acceleration (1.2 0 0); }")
+        placements=placed("disc", (0.3, 0.35)), properties=driven(1.2))
     minutes = case.solve_only()
-    last = case.objects()[-1]
-    return [last["centroidX"], last["centroidY"]], minutes
+    return case.objects()[-1]["centroidX"] - 0.3, minutes
 
 
 def swings(n):
-    """Longer half axis of a soft disc that was stretched by a tenth."""
+    """Elastic energy of a soft disc that was stretched by a tenth."""
     case = backward(
         "swinging", n, 0.5, cells=(CELLS, CELLS), viscosity=0.01,
         shapes=disc(0.2, "type neoHookean; density 1; E 10;"),
         placements=placed("disc", (0.513, 0.487)))
     case.stretch("disc", 1.1, 1/1.1)
     minutes = case.solve_only()
-    return [case.objects()[-1]["halfAxisA"]], minutes
+    return results.table(case.path, "global.csv")[-1]["elasticEnergy"], minutes
+
+
+def dragged(n):
+    """Mean velocity of a channel with a sphere, from rest."""
+    case = backward(
+        "sphere", n, 0.1, box=(0, 0, 0, 1, 1, 1), cells=(CELLS,)*3,
+        viscosity=1, cyclic="xz",
+        shapes=sphere(0.25, "type rigid; density 1;"),
+        placements=placed("sphere", (0.5, 0.35, 0.5)), properties=driven(12))
+    minutes = case.solve_only()
+    return sum(Field(case, "U").values)/CELLS**3, minutes
+
+
+RUNS = (("way of a disc that settles", settles, (20, 40, 80, 160)),
+        ("way of a disc in a channel", carried, (20, 40, 80, 160)),
+        ("energy of a soft disc that swings", swings, (40, 80, 160, 320)),
+        ("flow around a sphere", dragged, (20, 40, 80)))
 
 
 def orders():
-    """Observed orders, at most 2."""
-    for what, names, run in (
-            ("a disc that settles", ("height",), settles),
-            ("a disc in a channel", ("place along it", "place across it"),
-             carried),
-            ("a soft disc that swings", ("longer half axis",), swings)):
-        found, minutes = zip(*map(run, STEPS))
-        for name, values in zip(names, zip(*found)):
-            differences = [a - b for a, b in zip(values, values[1:])]
-            for n, (a, b) in zip(STEPS, zip(differences, differences[1:])):
-                order = math.log2(abs(a/b))
-                yield Row(f"{what}, {name}: order in time, at most 2",
-                          f"{n} to {4*n} steps (difference {abs(b):.1e})", 2,
-                          min(order, 2), 0.2, sum(minutes))
+    """The observed orders."""
+    for what, run, steps in RUNS:
+        values, minutes = zip(*map(run, steps))
+        differences = [abs(a - b) for a, b in zip(values, values[1:])]
+        for n, a, b in zip(steps, differences, differences[1:]):
+            part = b/abs(values[-1])
+            yield Row(f"{what}: order in time",
+                      f"{n}, {2*n}, {4*n} steps (last difference {part:.0e})",
+                      2, min(math.log2(a/b), 2),
+                      0.2 if part > NOISE else None, sum(minutes))
 
 
 CASES = {"timeOrder": orders}

@@ -31,8 +31,8 @@ import timeOrder
 import timeStep
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
-           timeOrder, timeStep, fixedWalls, shearBox, settlingSphere, rigidStiff,
-           oscillatingSphere, suspension)
+           timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
+           rigidStiff, oscillatingSphere, suspension)
 
 
 def collected(name):
