@@ -101,47 +101,6 @@ Foam::fsi::immersedFlux::immersedFlux
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
-(
-    const volVectorField& U,
-    const volVectorField& gradient,
-    const volScalarField& p,
-    const vectorField& wallVelocity,
-    const scalar viscosity
-) const
-{
-    const scalar deltaT = rule_.step();
-    tmp<surfaceScalarField> tflux
-    (
-        faces_.velocity({U, wallVelocity, &gradient, deltaT})
-    );
-    surfaceScalarField& flux = tflux.ref();
-    flux.rename("phiHbyA");
-    flux.dimensions().reset(dimVelocity*dimArea);
-
-    const tmp<surfaceScalarField> thistory(rule_.start(faceHistory_));
-    const surfaceScalarField& history = thistory();
-    const surfaceScalarField& open = geometry_.openArea();
-    const scalar area = geometry_.grid().faceArea();
-    forAll(flux, facei)
-    {
-        flux[facei] = (flux[facei] + history[facei])*area*open[facei];
-    }
-    forAll(flux.boundaryField(), patchi)
-    {
-        fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
-        pf =
-            (pf + history.boundaryField()[patchi])
-           *pf.patch().magSf()*open.boundaryField()[patchi];
-    }
-    if (history_ == history::fading)
-    {
-        fade(fadingGradient(U, viscosity), gradient, p, flux);
-    }
-    return tflux;
-}
-
-
 void Foam::fsi::immersedFlux::endMove
 (
     const volVectorField& U,

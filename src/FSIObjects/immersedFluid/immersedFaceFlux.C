@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedFlux.H"
+#include "openfoamMesh.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fsi::fadingPart Foam::fsi::immersedFlux::fadingGradient
+(
+    const volVectorField& U,
+    const scalar viscosity
+) const
+{
+    const scalar h = geometry_.grid().spacing();
+    const scalar deltaT = rule_.step();
+    fadingPart part(geometry_.grid().faceArea()*deltaT);
+    if (rule_.secondOrder())
+    {
+        part.set(U.mesh(), fadingInStep(U, viscosity));
+    }
+    else
+    {
+        part.set(deltaT*viscosity*4/sqr(h));
+    }
+    return part;
+}
+
+
+inline Foam::scalar Foam::fsi::immersedFlux::excess
+(
+    const vectorField& gradient,
+    const scalarField& p,
+    const label own,
+    const label nei,
+    const label facei
+) const
+{
+    const boolList& fluid = geometry_.fluidCell();
+    const vector g
+    (
+        fluid[own] == fluid[nei]
+      ? 0.5*(gradient[own] + gradient[nei])
+      : gradient[fluid[own] ? own : nei]
+    );
+    const scalar h = geometry_.grid().spacing();
+    return faces_.along(g, facei) - (p[nei] - p[own])/h;
+}
+
+
+void Foam::fsi::immersedFlux::fadeOnPatches
+(
+    const fadingPart& lost,
+    const scalar ofCut,
+    const volVectorField& gradient,
+    const volScalarField& p,
+    surfaceScalarField& flux
+) const
+{
+    const surfaceScalarField& open = geometry_.openArea();
+    const boolList& fluid = geometry_.fluidCell();
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        if (!pp.coupled())
+        {
+            continue;
+        }
+        const scalarField dpdn(pp.snGrad(pp.patch().deltaCoeffs()));
+        const scalarField mean(faces_.patchMean(gradient, patchi));
+        const vectorField across
+        (
+            gradient.boundaryField()[patchi].patchNeighbourField()
+        );
+        const labelUList& cells = pp.patch().faceCells();
+        const label start = pp.patch().start();
+        forAll(pp, i)
+        {
+            const bool here = fluid[cells[i]];
+            const bool there =
+                geometry_.fluidAcross()[start + i - flux.size()];
+            const scalar g =
+                here == there
+              ? mean[i]
+              : faces_.along(here ? gradient[cells[i]] : across[i], start + i);
+            flux.boundaryFieldRef()[patchi][i] -=
+                lost.onPatch(pp.patch(), i)*open.boundaryField()[patchi][i]
+               *(here && there ? 1 : ofCut)*(g - dpdn[i]);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
+(
+    const volVectorField& U,
+    const volVectorField& gradient,
+    const volScalarField& p,
+    const vectorField& wallVelocity,
+    const scalar viscosity
+) const
+{
+    const scalar deltaT = rule_.step();
+    tmp<surfaceScalarField> tflux
+    (
+        faces_.velocity({U, wallVelocity, &gradient, deltaT})
+    );
+    surfaceScalarField& flux = tflux.ref();
+    flux.rename("phiHbyA");
+    flux.dimensions().reset(dimVelocity*dimArea);
+
+    const tmp<surfaceScalarField> thistory(rule_.start(faceHistory_));
+    const surfaceScalarField& history = thistory();
+    const surfaceScalarField& open = geometry_.openArea();
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    const scalar area = geometry_.grid().faceArea();
+    const bool fades = history_ == history::fading;
+    const fadingPart lost(fades ? fadingGradient(U, viscosity) : fadingPart(0));
+    const scalar ofCut = rule_.secondOrder() ? 0 : 1;
+    const labelUList& own = p.mesh().owner();
+    const labelUList& nei = p.mesh().neighbour();
+    forAll(flux, facei)
+    {
+        flux[facei] = (flux[facei] + history[facei])*area*open[facei];
+        if (fades)
+        {
+            const scalar part = fluidFace[facei] < 0.5 ? ofCut : 1;
+            flux[facei] -=
+                lost.inside(facei)*open[facei]*part
+               *excess(gradient, p, own[facei], nei[facei], facei);
+        }
+    }
+    forAll(flux.boundaryField(), patchi)
+    {
+        fvsPatchScalarField& pf = flux.boundaryFieldRef()[patchi];
+        pf =
+            (pf + history.boundaryField()[patchi])
+           *pf.patch().magSf()*open.boundaryField()[patchi];
+    }
+    if (fades)
+    {
+        fadeOnPatches(lost, ofCut, gradient, p, flux);
+    }
+    return tflux;
+}
+
+
+// ************************************************************************* //
