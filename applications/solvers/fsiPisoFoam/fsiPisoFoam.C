@@ -34,7 +34,8 @@ Description
     coupling solidImplicit only their tolerance, relTol and maxIter count, and
     the multigrid's entries (solidImplicit.H): whatever \c solver names, p is
     solved by the multigrid and U by relaxation. There is one pressure equation
-    per step; \c nCorrectors and \c pFinal are not used: let relTol of p be 0.
+    per pass of a step (passes of the coupling); \c nCorrectors and \c pFinal
+    are not used: let relTol of p be 0.
 
 \*---------------------------------------------------------------------------*/
 

@@ -10,8 +10,11 @@ driving force that wants a mean velocity from rest gets it without an overshoot.
     lightBodies.py FOLDER
 
 A disc of 6 mesh cells at moderate stiffness, where the last pressure deforms it
-as much as its inertia resists (doc/theory.md, (5.19)). Viscosity leaves less
-than half of the first step's energy after 100 steps.
+as much as its inertia resists (doc/theory.md, (5.19)). After the first step its
+speed is that of potential flow, m/(m + m_a) of the one that it was pushed to,
+with the added mass m_a of the fluid; at the end it is P/(8 pi mu t), P being
+the push. In the second half of 100 steps less than half of the largest energy
+is left.
 """
 
 import math
@@ -24,6 +27,10 @@ import results
 
 STEP, STEPS = 0.01, 100
 LEFT = 0.5
+
+# Cells of its box to a side, and the largest error of the speed of one that was
+# pushed, in a box of ten radii
+CELLS, PUSHED = 30, 0.1
 
 # A disc of the density LIGHT, of which 64 cells hold 12.8
 RADIUS, LIGHT = 0.1, 0.1
@@ -45,7 +52,7 @@ BODIES = (
 def energies(folder, material, entries, viscosity):
     """Kinetic and elastic energy after each step."""
     case = fsiCase.Case(
-        os.path.join(folder, "case"), cells=(30, 30), viscosity=viscosity,
+        os.path.join(folder, "case"), cells=(CELLS,)*2, viscosity=viscosity,
         cyclic="xy",
         shapes="disc { shape { type circle; radius 0.1; } "
                f"material {{ {material} }} {entries} }}",
@@ -134,6 +141,22 @@ def check_mean_velocity(report, folder):
         LIGHT), f"{max(speeds)}")
 
 
+def check_push(report, found):
+    """Speed of the stiff disc of a tenth of the density after the first step
+    and at the end, from its energy, over that in an unbounded fluid."""
+    mass = LIGHT*math.pi*RADIUS**2
+    push = mass*math.hypot(0.3, 0.1)
+    exact = {
+        "first step": push/(mass + math.pi*RADIUS**2),
+        "end": push/(8*math.pi*0.002*STEPS*STEP),
+    }
+    for when, energy in (("first step", found[0]), ("end", found[-1])):
+        speed = math.sqrt(2*energy/(mass/CELLS))
+        print(f"    pushed, {when}: {speed/exact[when]:.3f} of the exact speed")
+        report.check(f"pushed, {when}: speed",
+                     abs(speed/exact[when] - 1) < PUSHED, f"{speed}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -143,12 +166,14 @@ def main(folder):
         found = report.attempt(name, energies, folder, *body)
         if found is None:
             continue
+        if name == "stiff":
+            check_push(report, found)
         report.check(f"{name}: all steps", len(found) == STEPS,
                      f"{len(found)} steps")
-        half = max(found[STEPS//2:])
-        print(f"    {name}: {half/found[0]:.3g} of the first step's energy")
-        report.check(f"{name}: comes to rest", 0 < half < LEFT*found[0],
-                     f"{half} of {found[0]} in the second half")
+        half, largest = max(found[STEPS//2:]), max(found)
+        print(f"    {name}: {half/largest:.3g} of the largest energy")
+        report.check(f"{name}: comes to rest", 0 < half < LEFT*largest,
+                     f"{half} of {largest} in the second half")
 
 
 if __name__ == "__main__":
