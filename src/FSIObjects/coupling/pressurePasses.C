@@ -36,6 +36,34 @@ void Foam::fsi::pressurePasses::measure(const FixedList<scalar, 2>& ofRank)
 }
 
 
+Foam::scalarField Foam::fsi::pressurePasses::next
+(
+    const scalarField& start,
+    const scalarField& found,
+    const bool free,
+    const boolList& active
+)
+{
+    scalarField change(found - start);
+    if (free)
+    {
+        scalarList sums(2, Zero);
+        forAll(change, celli)
+        {
+            sums[0] += active[celli] ? change[celli] : 0;
+            sums[1] += active[celli];
+        }
+        sumOverRanks(sums);
+        const scalar mean = sums[0]/max(sums[1], 1.0);
+        forAll(change, celli)
+        {
+            change[celli] -= active[celli] ? mean : 0;
+        }
+    }
+    return acceleration_.next(start, change);
+}
+
+
 void Foam::fsi::pressurePasses::report(runLog& log) const
 {
     if (log.full())

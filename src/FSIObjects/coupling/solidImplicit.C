@@ -160,8 +160,13 @@ bool Foam::fsi::solidImplicit::again(volScalarField& p, const volVectorField&)
     volScalarField& start = oldPressure_();
     const scalarField last(system_.walls.atWalls(start.primitiveField()));
     const vectorField lastForce(gradientForce_);
-    p.primitiveFieldRef() =
-        passes_.next(start.primitiveField(), p.primitiveField());
+    p.primitiveFieldRef() = passes_.next
+    (
+        start.primitiveField(),
+        p.primitiveField(),
+        p.needReference(),
+        system_.geometry.activeCell()
+    );
     p.correctBoundaryConditions();
     start.primitiveFieldRef() = p.primitiveField();
     start.correctBoundaryConditions();
