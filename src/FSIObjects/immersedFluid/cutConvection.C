@@ -167,6 +167,7 @@ void Foam::fsi::cutConvection::addLoss
     addLinks(U, mean, nodal);
 
     // Farther cells have no cut faces, and some ranks do not know them as near
+    const vectorField& C = U.mesh().C();
     const labelList& haloIndex = geometry_.grid().haloIndex();
     const scalar reach = 1.5*geometry_.grid().spacing();
     labelList face(1);
@@ -180,7 +181,7 @@ void Foam::fsi::cutConvection::addLoss
         {
             const surfacePlace place
             (
-                nearestPlace(surfaces, U.mesh().C()[celli], face, found)
+                nearestPlace(surfaces, C[celli], face, found)
             );
             const vector& ofAll = mean[place.object];
             const vector loss

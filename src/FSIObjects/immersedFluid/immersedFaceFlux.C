@@ -30,20 +30,19 @@ inline Foam::scalar Foam::fsi::immersedFlux::excess
 (
     const vectorField& gradient,
     const scalarField& p,
-    const label own,
-    const label nei,
+    const labelUList& own,
+    const labelUList& nei,
     const label facei
 ) const
 {
     const boolList& fluid = geometry_.fluidCell();
-    const vector g
-    (
-        fluid[own] == fluid[nei]
-      ? 0.5*(gradient[own] + gradient[nei])
-      : gradient[fluid[own] ? own : nei]
-    );
-    const scalar h = geometry_.grid().spacing();
-    return faces_.along(g, facei) - (p[nei] - p[own])/h;
+    const label o = own[facei];
+    const label n = nei[facei];
+    const scalar g =
+        fluid[o] == fluid[n]
+      ? faces_.mean(gradient, own, nei, facei)
+      : faces_.along(gradient[fluid[o] ? o : n], facei);
+    return g - (p[n] - p[o])/geometry_.grid().spacing();
 }
 
 
@@ -128,7 +127,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
             const scalar part = fluidFace[facei] < 0.5 ? ofCut : 1;
             flux[facei] -=
                 lost.inside(facei)*open[facei]*part
-               *excess(gradient, p, own[facei], nei[facei], facei);
+               *excess(gradient, p, own, nei, facei);
         }
     }
     forAll(flux.boundaryField(), patchi)

@@ -14,6 +14,7 @@ import sys
 
 import boxFiles
 import fsiCase
+from refused import refused
 import results
 
 SHAPE = ("disc {{ shape {{ {shape} }} material {{ density {density}; E 1e4; "
@@ -135,29 +136,6 @@ PROPERTIES = [
      "acceleration (1e300 0 0); }", ("acceleration", "1e15")),
     ("negative fluid density", "fluidDensity -1;", ("fluidDensity", "-1")),
 ]
-
-
-def refused(report, name, case, program, texts):
-    """Runs a program that must end in an error with those texts."""
-    try:
-        case.run(program, limit=120)
-    except RuntimeError:
-        pass
-    else:
-        report.check(name, False, f"{program} accepted it")
-        return
-    with open(os.path.join(case.path, "log." + program),
-              encoding="utf-8") as stream:
-        log = stream.read()
-    start = log.find("--> FOAM FATAL")
-    if start < 0:
-        report.check(name, False, "no FOAM FATAL ERROR: "
-                     + " ".join(log[-300:].split()))
-        return
-    message = log[start:]
-    missing = [t for t in texts if t not in message]
-    report.check(name, not missing,
-                 f"no {missing} in: {' '.join(message.split())[:300]}")
 
 
 def shapes(changes):
