@@ -35,10 +35,41 @@ Foam::fsi::fluidStep::fluidStep
 }
 
 
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Exchange the values of two fields without a copy of those inside
+static void exchange(surfaceScalarField& a, surfaceScalarField& b)
+{
+    scalarField& ofA = a.primitiveFieldRef();
+    scalarField& ofB = b.primitiveFieldRef();
+    scalarField kept;
+    kept.transfer(ofA);
+    ofA.transfer(ofB);
+    ofB.transfer(kept);
+    forAll(a.boundaryField(), patchi)
+    {
+        scalarField& patchOfA = a.boundaryFieldRef()[patchi];
+        scalarField& patchOfB = b.boundaryFieldRef()[patchi];
+        const scalarField last(patchOfA);
+        patchOfA = patchOfB;
+        patchOfB = last;
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::fluidStep::momentum
 (
+    const surfaceScalarField& convectiveFlux,
     const volVectorField& gradP,
     const flowSources& sources
 )
@@ -47,7 +78,7 @@ void Foam::fsi::fluidStep::momentum
     (
         objects_.system().fluid.momentum
         (
-            phi_,
+            convectiveFlux,
             U_,
             viscosity_,
             gradP,
@@ -62,23 +93,44 @@ void Foam::fsi::fluidStep::momentum
 }
 
 
+void Foam::fsi::fluidStep::setFlux
+(
+    tmp<surfaceScalarField>& convectiveFlux,
+    const volVectorField& gradP
+)
+{
+    tmp<surfaceScalarField> tnew
+    (
+        objects_.system().fluid.faceFlux
+        (
+            U_,
+            gradP,
+            objects_.coupling().lastPressure(p_),
+            objects_.coupling().wallVelocity(),
+            viscosity_
+        )
+    );
+    if (&convectiveFlux() == &phi_)
+    {
+        // Further passes convect with the old one
+        exchange(phi_, tnew.ref());
+        convectiveFlux = tnew;
+    }
+    else
+    {
+        phi_ = tnew;
+    }
+}
+
+
 void Foam::fsi::fluidStep::pressure
 (
     const volVectorField& gradP,
     const flowSources& sources
 )
 {
-    timeRule& rule = objects_.system().fluid.rule();
-    const scalar rAU = rule.step();
+    const scalar rAU = objects_.system().fluid.rule().step();
 
-    phi_ = objects_.system().fluid.faceFlux
-    (
-        U_,
-        gradP,
-        objects_.coupling().lastPressure(p_),
-        objects_.coupling().wallVelocity(),
-        viscosity_
-    );
     if (p_.needReference())
     {
         adjustPhi(phi_, U_, p_);
@@ -93,9 +145,6 @@ void Foam::fsi::fluidStep::pressure
     }
     objects_.coupling().correctVelocity(U_, gradP, p_, rAU);
     sources.correct(U_);
-
-    // The flux is that of the new time now, also in a further pass
-    rule.nextPass();
 }
 
 
@@ -112,10 +161,15 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
             objects_.timer(),
             stepTimer::part::fluid
         );
+        tmp<surfaceScalarField> tconvective
+        (
+            objects_.system().fluid.convectiveFlux(phi_)
+        );
         do
         {
             const tmp<volVectorField> tgradP(objects_.coupling().gradient(p_));
-            momentum(tgradP(), sources);
+            momentum(tconvective(), tgradP(), sources);
+            setFlux(tconvective, tgradP());
             pressure(tgradP(), sources);
         }
         while (objects_.coupling().again(p_, U_));

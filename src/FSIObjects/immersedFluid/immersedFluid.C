@@ -24,13 +24,9 @@ Foam::fsi::immersedFluid::immersedFluid
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedFluid::momentum
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::convectiveFlux
 (
-    const surfaceScalarField& phi,
-    volVectorField& U,
-    const scalar viscosity,
-    const volVectorField& gradient,
-    const vector& acceleration
+    const surfaceScalarField& phi
 )
 {
     tmp<surfaceScalarField> tflux(rule_.flux(phi));
@@ -40,8 +36,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedFluid::momentum
         tflux = newTmp<surfaceScalarField>("convectiveFlux", tflux());
         moveFlux(tflux.ref());
     }
-    return
-        momentum_.momentum(tflux(), U, viscosity, gradient, acceleration);
+    return tflux;
 }
 
 

@@ -59,7 +59,7 @@ Foam::fsi::contact::contact
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
     film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
     defence_(minimumGap_, margin_, nDims, images_),
-    ranges_(scales_.range, minimumGap_)
+    ranges_(scales_.range, min(minimumGap_, leastRange*spacing))
 {
     if (film_->active() && !law_->takesLubrication())
     {

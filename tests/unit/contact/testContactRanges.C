@@ -69,7 +69,7 @@ scalar largestSpeed(const rigidBodies& world)
 
 TEST(ContactRanges, startWithinTheRangeIsARest)
 {
-    for (const scalar cells : {0.3, 1.0, 2.5})
+    for (const scalar cells : {0.05, 0.3, 1.0, 2.5})
     {
         rigidBodies world(lattice(cells*h, 0));
         contact law(contactOf(""));
