@@ -113,18 +113,18 @@ for density in (0.05, 1000):
     add(f"density ratio {density}, gravity, E 100",
         {"shapes": body(DISC, f"density {density}; E 100;"), "speed": 3,
          "placements": MIDDLE, "gravity": "(0 -1 0)", "adjustTimeStep": "yes",
-         "maxDeltaT": 0.01}, *(["cut themselves"] if density > 1 else []))
+         "maxDeltaT": 0.01})
 
-# Stiffness. The softest are drawn out without end, as they have no viscosity
+# Stiffness. The softest are drawn out without end, as they have no viscosity;
+# in a fluid of little viscosity their own eddies fold them
 SOFT = {"adjustTimeStep": "yes", "maxDeltaT": 0.01, "endTime": 5}
 for modulus in (0.001, 0.01, 0.1, 1, 1e3, 1e6, 1e9):
     add(f"E = {modulus:g} rho U^2, springs",
-        lid(DISC, f"density 1; E {modulus};", **SOFT),
-        *(["diverge", "viscosity"] if modulus < 0.005 else []))
+        lid(DISC, f"density 1; E {modulus};", **SOFT))
 add("E = 0.001 rho U^2, springs, Re 1000",
-    lid(DISC, "density 1; E 0.001;", viscosity=1e-3, **SOFT))
-for modulus, words in ((0.001, ["cut themselves"]),
-                       (0.1, ["diverge", "viscosity"]), (1e9, [])):
+    lid(DISC, "density 1; E 0.001;", viscosity=1e-3, **SOFT),
+    "cut themselves")
+for modulus, words in ((0.001, ["cut themselves"]), (0.1, []), (1e9, [])):
     add(f"E = {modulus:g} rho U^2, neo-Hookean",
         lid(DISC, f"density 1; E {modulus}; type neoHookean;", **SOFT), *words)
 for modulus in (0.01, 1e8):

@@ -112,13 +112,24 @@ void Foam::fsi::fluidStep::setFlux
     );
     if (&convectiveFlux() == &phi_)
     {
-        // Further passes convect with the old one
+        // Further passes of Euler convect with the old one
         exchange(phi_, tnew.ref());
         convectiveFlux = tnew;
     }
     else
     {
         phi_ = tnew;
+    }
+}
+
+
+void Foam::fsi::fluidStep::nextFlux(tmp<surfaceScalarField>& convectiveFlux)
+{
+    timeRule& rule = objects_.system().fluid.rule();
+    rule.nextPass();
+    if (rule.secondOrder())
+    {
+        convectiveFlux = objects_.system().fluid.convectiveFlux(phi_);
     }
 }
 
@@ -171,6 +182,7 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
             momentum(tconvective(), tgradP(), sources);
             setFlux(tconvective, tgradP());
             pressure(tgradP(), sources);
+            nextFlux(tconvective);
         }
         while (objects_.coupling().again(p_, U_));
 

@@ -10,7 +10,8 @@ Foam::fsi::timeRule::timeRule(const fvMesh& mesh)
     mesh_(mesh),
     backward_(ddtSchemeOf(mesh, "ddt(U)") == "backward"),
     begun_(false),
-    ratio_(0)
+    ratio_(0),
+    firstPass_(true)
 {}
 
 
@@ -23,6 +24,7 @@ void Foam::fsi::timeRule::begin
 )
 {
     begun_ = true;
+    firstPass_ = true;
     ratio_ = 0;
     if (!backward_)
     {
@@ -77,13 +79,9 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::timeRule::flux
     const surfaceScalarField& phi
 ) const
 {
-    if (!backward_)
+    if (ratio_ == 0 || !firstPass_)
     {
         return phi;
-    }
-    if (ratio_ == 0)
-    {
-        return phi.oldTime();
     }
     return
         (1 + ratio_)*phi.oldTime() - ratio_*phi.oldTime().oldTime();

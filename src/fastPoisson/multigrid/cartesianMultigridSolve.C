@@ -42,11 +42,13 @@ void Foam::fsi::cartesianMultigrid::iterate
 ) const
 {
     scalar rz = 0;
+    scalar least = result.initialResidual();
+    label nInVain = 0;
     do
     {
         scalar pAp = 0;
         rz = nextDirection(factor*result.finalResidual(), rz, pAp);
-        if (result.checkSingularity(mag(pAp)/factor))
+        if (result.checkSingularity(mag(pAp)/factor) || mag(pAp) < nothing*rz)
         {
             break;
         }
@@ -60,10 +62,13 @@ void Foam::fsi::cartesianMultigrid::iterate
                     x_.data(), r_.data()
                 )
             )/factor;
+        nInVain = result.finalResidual() < least ? 0 : nInVain + 1;
+        least = min(least, result.finalResidual());
     } while
     (
         (
             ++result.nIterations() < controls.maxIter
+         && nInVain < mostInVain
          && !result.checkConvergence(controls.tolerance, controls.relTol)
         )
      || result.nIterations() < controls.minIter

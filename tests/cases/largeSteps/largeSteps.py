@@ -12,10 +12,14 @@ neighbours, the largest of all cells, in the mean over all written times.
 A steady flow does not depend on the step ((4.12)): driven cavity without
 inertia, smallest velocity on its middle line; array of fixed discs that a force
 drives the fluid through, mean velocity.
+
+A film that fixed plates close off has no pressure but rounding errors: it does
+nothing to the channel between them.
 """
 
 import math
 import os
+import re
 import sys
 
 import fsiCase
@@ -102,6 +106,49 @@ def check_array(report, folder):
                  f"{large}, not {small}")
 
 
+def channel(folder, behind):
+    """Velocities in a channel between fixed plates that go on through cyclic
+    patches; the upper one ends this far from a wall."""
+    plate = ("shape {{ type polygon; file \"{0}.csv\"; }} material {{ type rigid; "
+             "density 1; }} motion {{ type fixed; }}")
+    case = fsiCase.Case(
+        os.path.join(folder, f"channel-{behind}"), box=(0, 0, 4, 16),
+        cells=(4, 16), viscosity=1, cyclic="x",
+        shapes=" ".join(f"{name} {{ {plate.format(name)} }}"
+                        for name in ("low", "high")),
+        placements="".join(
+            f"{name} {{ type listed; shape {name}; minimumGap 0; wallGap 0; "
+            f"objects ({{ centre (2 {y} 0); }}); }}"
+            for name, y in (("low", 1.33), ("high", 7.33 + (16 - behind
+                                                          - 7.33)/2))),
+        properties="drivingForce { type acceleration; "
+                   "acceleration (1 0 0); }",
+        deltaT=1, endTime=40, writeInterval=40)
+    for name, half in (("low", 4), ("high", (16 - behind - 7.33)/2)):
+        corners = ((-8, -half), (8, -half), (8, half), (-8, half))
+        with open(os.path.join(case.path, name + ".csv"), "w",
+                  encoding="ascii") as stream:
+            stream.writelines(f"{x},{y}\n" for x, y in corners)
+    case.set_up()
+    case.run("fsiPisoFoam")
+    iterations = max(map(int, re.findall(r" p (\d+)", results.read(
+        case.path, "log.fsiPisoFoam"))))
+    u = results.field(case.path, results.times(case.path)[-1], "U")
+    return u[3*4*5:3*4*8], iterations
+
+
+def check_closed(report, folder):
+    """With a film of two thirds of a cell behind a plate, and without."""
+    alone, _ = channel(folder, -1)
+    beside, iterations = channel(folder, 0.67)
+    report.check("a closed film leaves the channel alone",
+                 max(alone) > 0.3 and max(
+                     abs(a - b) for a, b in zip(alone, beside)) < 1e-6,
+                 f"velocities {beside}, not {alone}")
+    report.check("its pressure takes no iterations", iterations < 100,
+                 f"{iterations}")
+
+
 def check_smooth(report, folder):
     """No cell out of the flow around it."""
     large, n_large = solve(os.path.join(folder, "large"), STEP)
@@ -121,6 +168,7 @@ def main(folder):
     report.attempt("smooth velocity", check_smooth, report, folder)
     report.attempt("steady flow", check_steady, report, folder)
     report.attempt("steady flow around walls", check_array, report, folder)
+    report.attempt("closed film", check_closed, report, folder)
 
 
 if __name__ == "__main__":
