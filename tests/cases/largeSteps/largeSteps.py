@@ -109,8 +109,8 @@ def check_array(report, folder):
 def channel(folder, behind):
     """Velocities in a channel between fixed plates that go on through cyclic
     patches; the upper one ends this far from a wall."""
-    plate = ("shape {{ type polygon; file \"{0}.csv\"; }} material {{ type rigid; "
-             "density 1; }} motion {{ type fixed; }}")
+    plate = ("shape {{ type polygon; file \"{0}.csv\"; }} "
+             "material {{ type rigid; density 1; }} motion {{ type fixed; }}")
     case = fsiCase.Case(
         os.path.join(folder, f"channel-{behind}"), box=(0, 0, 4, 16),
         cells=(4, 16), viscosity=1, cyclic="x",
