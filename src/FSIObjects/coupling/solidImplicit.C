@@ -133,7 +133,11 @@ void Foam::fsi::solidImplicit::begin
 }
 
 
-void Foam::fsi::solidImplicit::solveMomentum(fvVectorMatrix& UEqn)
+void Foam::fsi::solidImplicit::solveMomentum
+(
+    fvVectorMatrix& UEqn,
+    const expectedChange& change
+)
 {
     volVectorField& U = const_cast<volVectorField&>(UEqn.psi());
     system_.fluid.constrain(UEqn);
@@ -142,7 +146,7 @@ void Foam::fsi::solidImplicit::solveMomentum(fvVectorMatrix& UEqn)
         balance_.begin(U);
     }
 
-    viscous_.solve(UEqn, U, predicted_, velocity_.change(), linkForce_);
+    viscous_.solve(UEqn, U, change, predicted_, velocity_.change(), linkForce_);
     constrain(velocity_);
     contact(velocity_);
 }
@@ -239,6 +243,7 @@ void Foam::fsi::solidImplicit::end
     const volVectorField& U
 )
 {
+    pressure_.endStep(p);
     const bool conserves = system_.fluid.conserves();
     if (conserves)
     {

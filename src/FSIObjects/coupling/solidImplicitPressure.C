@@ -47,6 +47,10 @@ void Foam::fsi::solidImplicit::solvePressure
     system_.walls.flux(oldPart - velocity_.surface(), source);
     subtractOutflow(phiHbyA, source);
 
+    if (passes_.done() == 0)
+    {
+        pressure_.beginStep(p);
+    }
     pressure_.solve
     (
         p, pEqn.ref(), source, term_, oldPressure_().primitiveField()

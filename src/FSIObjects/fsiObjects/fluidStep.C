@@ -71,6 +71,7 @@ void Foam::fsi::fluidStep::momentum
 (
     const surfaceScalarField& convectiveFlux,
     const volVectorField& gradP,
+    const expectedChange& change,
     const flowSources& sources
 )
 {
@@ -88,7 +89,7 @@ void Foam::fsi::fluidStep::momentum
     fvVectorMatrix& UEqn = tUEqn.ref();
 
     sources.apply(UEqn, U_);
-    objects_.coupling().solveMomentum(UEqn);
+    objects_.coupling().solveMomentum(UEqn, change);
     sources.correct(U_);
 }
 
@@ -176,10 +177,15 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
         (
             objects_.system().fluid.convectiveFlux(phi_)
         );
+        expectedChange change
+        (
+            objects_.error().rate(), U_.time().deltaTValue()
+        );
         do
         {
             const tmp<volVectorField> tgradP(objects_.coupling().gradient(p_));
-            momentum(tconvective(), tgradP(), sources);
+            momentum(tconvective(), tgradP(), change, sources);
+            change = expectedChange();
             setFlux(tconvective, tgradP());
             pressure(tgradP(), sources);
             nextFlux(tconvective);

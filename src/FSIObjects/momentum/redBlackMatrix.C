@@ -43,7 +43,11 @@ void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
 }
 
 
-void Foam::fsi::redBlackMatrix::setDiagonal(const fvVectorMatrix& equation)
+void Foam::fsi::redBlackMatrix::setDiagonal
+(
+    const fvVectorMatrix& equation,
+    const expectedChange& change
+)
 {
     const scalarField& diagonal = equation.diag();
     const vectorField& source = equation.source();
@@ -52,11 +56,12 @@ void Foam::fsi::redBlackMatrix::setDiagonal(const fvVectorMatrix& equation)
     forAll(rowOf, celli)
     {
         const label place = nDims_*rowOf[celli];
+        const vector start(U[celli] + change[celli]);
         for (label d = 0; d < nDims_; ++d)
         {
             diagonal_[place + d] = diagonal[celli];
             source_[place + d] = source[celli][d];
-            x_[place + d] = U[celli][d];
+            x_[place + d] = start[d];
         }
     }
     forAll(internalCoeffsOf(equation), patchi)
@@ -125,10 +130,14 @@ Foam::fsi::redBlackMatrix::redBlackMatrix(const cartesianMesh& grid)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::redBlackMatrix::set(const fvVectorMatrix& equation)
+void Foam::fsi::redBlackMatrix::set
+(
+    const fvVectorMatrix& equation,
+    const expectedChange& change
+)
 {
     setCoefficients(equation);
-    setDiagonal(equation);
+    setDiagonal(equation, change);
     setRelaxation();
     correction_ = 0;
 }

@@ -134,9 +134,13 @@ void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
 }
 
 
-void Foam::fsi::viscousCoupling::setMatrix(const fvVectorMatrix& UEqn)
+void Foam::fsi::viscousCoupling::setMatrix
+(
+    const fvVectorMatrix& UEqn,
+    const expectedChange& change
+)
 {
-    matrix_.set(UEqn);
+    matrix_.set(UEqn, change);
     links_.set(system_.geometry.wallLinks(), system_.viscosity);
 }
 

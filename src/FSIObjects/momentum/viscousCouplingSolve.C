@@ -144,6 +144,7 @@ void Foam::fsi::viscousCoupling::solve
 (
     fvVectorMatrix& UEqn,
     volVectorField& U,
+    const expectedChange& change,
     const fsiSystem::groupNodal& predicted,
     fsiSystem::groupNodal& velocity,
     vectorField& force
@@ -152,7 +153,7 @@ void Foam::fsi::viscousCoupling::solve
     solverPerformance result("fsiSOR", U.name());
 
     updateResponses(predicted);
-    setMatrix(UEqn);
+    setMatrix(UEqn, change);
     fsiSystem::groupNodal boundary
     (
         system_.objects.layout().boundaryOf(predicted)

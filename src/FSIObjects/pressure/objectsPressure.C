@@ -5,6 +5,7 @@
 #include "openfoamMesh.H"
 #include "openfoamTypes.H"
 #include "openLaplacian.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -78,11 +79,59 @@ void Foam::fsi::objectsPressure::updateMultigrid
 Foam::fsi::objectsPressure::objectsPressure(const fsiSystem& system)
 :
     system_(system),
-    conductance_(system)
+    conductance_(system),
+    rate_
+    (
+        IOobject
+        (
+            "pressureRate",
+            nameOf(system.grid.mesh().time()),
+            system.grid.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        system.grid.mesh(),
+        dimensionedScalar(sqr(dimVelocity)/dimTime, Zero)
+    )
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::objectsPressure::beginStep(volScalarField& p)
+{
+    const boolList& active = system_.geometry.activeCell();
+    const scalar dt = system_.deltaT();
+    scalar level = 0;
+    if (p.needReference())
+    {
+        scalarList sums(2, Zero);
+        forAll(active, celli)
+        {
+            sums[0] += active[celli] ? dt*rate_[celli] : 0;
+            sums[1] += active[celli];
+        }
+        sumOverRanks(sums);
+        level = sums[0]/max(sums[1], 1.0);
+    }
+    forAll(active, celli)
+    {
+        const scalar start = p[celli];
+        p[celli] += active[celli] ? dt*rate_[celli] - level : 0;
+        rate_[celli] = start;
+    }
+}
+
+
+void Foam::fsi::objectsPressure::endStep(const volScalarField& p)
+{
+    const scalar dt = system_.deltaT();
+    forAll(p, celli)
+    {
+        rate_[celli] = (p[celli] - rate_[celli])/dt;
+    }
+}
+
 
 void Foam::fsi::objectsPressure::solve
 (

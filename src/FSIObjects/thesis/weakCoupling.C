@@ -102,7 +102,11 @@ void Foam::fsi::weakCoupling::begin
 }
 
 
-void Foam::fsi::weakCoupling::solveMomentum(fvVectorMatrix& UEqn)
+void Foam::fsi::weakCoupling::solveMomentum
+(
+    fvVectorMatrix& UEqn,
+    const expectedChange&
+)
 {
     system_.fluid.constrain(UEqn);
     for (const wallLink& link : system_.geometry.wallLinks())
