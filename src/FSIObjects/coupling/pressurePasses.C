@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "pressurePasses.H"
+#include "activeMean.H"
 #include "dictionaryCheck.H"
 #include "runLog.H"
 #include "sumOverRanks.H"
@@ -47,14 +48,7 @@ Foam::scalarField Foam::fsi::pressurePasses::next
     scalarField change(found - start);
     if (free)
     {
-        scalarList sums(2, Zero);
-        forAll(change, celli)
-        {
-            sums[0] += active[celli] ? change[celli] : 0;
-            sums[1] += active[celli];
-        }
-        sumOverRanks(sums);
-        const scalar mean = sums[0]/max(sums[1], 1.0);
+        const scalar mean = activeMean(change, active);
         forAll(change, celli)
         {
             change[celli] -= active[celli] ? mean : 0;

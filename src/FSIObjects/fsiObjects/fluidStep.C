@@ -5,36 +5,6 @@
 #include "adjustPhi.H"
 #include "fvMatrices.H"
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::fsi::fluidStep::fluidStep
-(
-    fsiObjects& objects,
-    volScalarField& p,
-    volVectorField& U,
-    surfaceScalarField& phi,
-    const scalar viscosity
-)
-:
-    objects_(objects),
-    p_(p),
-    U_(U),
-    phi_(phi),
-    viscosity_(viscosity)
-{
-    const word timeScheme(ddtSchemeOf(U.mesh(), "ddt(U)"));
-    if (timeScheme != "Euler" && timeScheme != "backward")
-    {
-        FatalIOErrorInFunction(schemesOf(U.mesh()))
-            << "Entry 'ddt(U)' or 'default' of ddtSchemes is " << timeScheme
-            << " but must be Euler or backward"
-            << exit(FatalIOError);
-    }
-    immersedMomentum::interpolation(phi);
-    objects_.setSolidVelocity(U_);
-}
-
-
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -63,6 +33,36 @@ static void exchange(surfaceScalarField& a, surfaceScalarField& b)
 
 } // End namespace fsi
 } // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::fluidStep::fluidStep
+(
+    fsiObjects& objects,
+    volScalarField& p,
+    volVectorField& U,
+    surfaceScalarField& phi,
+    const scalar viscosity
+)
+:
+    objects_(objects),
+    p_(p),
+    U_(U),
+    phi_(phi),
+    viscosity_(viscosity)
+{
+    const word timeScheme(ddtSchemeOf(U.mesh(), "ddt(U)"));
+    if (timeScheme != "Euler" && timeScheme != "backward")
+    {
+        FatalIOErrorInFunction(schemesOf(U.mesh()))
+            << "Entry 'ddt(U)' or 'default' of ddtSchemes is " << timeScheme
+            << " but must be Euler or backward"
+            << exit(FatalIOError);
+    }
+    immersedMomentum::interpolation(phi);
+    objects_.setSolidVelocity(U_);
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -124,17 +124,6 @@ void Foam::fsi::fluidStep::setFlux
 }
 
 
-void Foam::fsi::fluidStep::nextFlux(tmp<surfaceScalarField>& convectiveFlux)
-{
-    timeRule& rule = objects_.system().fluid.rule();
-    rule.nextPass();
-    if (rule.secondOrder())
-    {
-        convectiveFlux = objects_.system().fluid.convectiveFlux(phi_);
-    }
-}
-
-
 void Foam::fsi::fluidStep::pressure
 (
     const volVectorField& gradP,
@@ -173,9 +162,10 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
             objects_.timer(),
             stepTimer::part::fluid
         );
+        immersedFluid& immersed = objects_.system().fluid;
         tmp<surfaceScalarField> tconvective
         (
-            objects_.system().fluid.convectiveFlux(phi_)
+            immersed.firstConvectiveFlux(phi_)
         );
         expectedChange change
         (
@@ -188,7 +178,10 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
             change = expectedChange();
             setFlux(tconvective, tgradP());
             pressure(tgradP(), sources);
-            nextFlux(tconvective);
+            if (immersed.rule().secondOrder())
+            {
+                tconvective = immersed.furtherConvectiveFlux(phi_);
+            }
         }
         while (objects_.coupling().again(p_, U_));
 

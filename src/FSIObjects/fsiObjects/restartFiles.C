@@ -30,7 +30,9 @@ static const restartFile fieldFiles[] =
 {
     {"phi", "the fluxes are interpolated from U"},
     {"faceHistory", "the velocities of faces start without their history"},
-    {"filmChange", "films between objects start anew"}
+    {"filmChange", "films between objects start anew"},
+    {"velocityRate", "the error of the first step is not known"},
+    {"pressureRate", "the first pressure is found from another start"}
 };
 
 static const restartFile uniformFiles[] =

@@ -22,14 +22,13 @@ Foam::fsi::immersedFluid::immersedFluid
 {}
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::convectiveFlux
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::moved
 (
-    const surfaceScalarField& phi
+    tmp<surfaceScalarField> tflux
 )
 {
-    tmp<surfaceScalarField> tflux(rule_.flux(phi));
     if (rule_.secondOrder() && flux_.moved().moved())
     {
         // Surfaces have moved to where they are expected
@@ -39,6 +38,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFluid::convectiveFlux
     return tflux;
 }
 
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::immersedFluid::setSolidVelocity
 (

@@ -10,8 +10,7 @@ Foam::fsi::timeRule::timeRule(const fvMesh& mesh)
     mesh_(mesh),
     backward_(ddtSchemeOf(mesh, "ddt(U)") == "backward"),
     begun_(false),
-    ratio_(0),
-    firstPass_(true)
+    ratio_(0)
 {}
 
 
@@ -24,7 +23,6 @@ void Foam::fsi::timeRule::begin
 )
 {
     begun_ = true;
-    firstPass_ = true;
     ratio_ = 0;
     if (!backward_)
     {
@@ -79,7 +77,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::timeRule::flux
     const surfaceScalarField& phi
 ) const
 {
-    if (ratio_ == 0 || !firstPass_)
+    if (ratio_ == 0)
     {
         return phi;
     }

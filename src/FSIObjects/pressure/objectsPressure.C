@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectsPressure.H"
+#include "activeMean.H"
 #include "dictionaryCheck.H"
 #include "openfoamMesh.H"
 #include "openfoamTypes.H"
 #include "openLaplacian.H"
-#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -102,22 +102,12 @@ void Foam::fsi::objectsPressure::beginStep(volScalarField& p)
 {
     const boolList& active = system_.geometry.activeCell();
     const scalar dt = system_.deltaT();
-    scalar level = 0;
-    if (p.needReference())
-    {
-        scalarList sums(2, Zero);
-        forAll(active, celli)
-        {
-            sums[0] += active[celli] ? dt*rate_[celli] : 0;
-            sums[1] += active[celli];
-        }
-        sumOverRanks(sums);
-        level = sums[0]/max(sums[1], 1.0);
-    }
+    const scalar level =
+        p.needReference() ? activeMean(rate_.primitiveField(), active) : 0;
     forAll(active, celli)
     {
         const scalar start = p[celli];
-        p[celli] += active[celli] ? dt*rate_[celli] - level : 0;
+        p[celli] += active[celli] ? dt*(rate_[celli] - level) : 0;
         rate_[celli] = start;
     }
 }

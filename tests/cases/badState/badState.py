@@ -177,7 +177,7 @@ def check_files(report, case, folder):
 def check_missing(report, case, folder):
     """Restart files that are not there, or cut."""
     wrong = os.path.join(folder, "wrong")
-    for name in ("phi", "faceHistory"):
+    for name in ("phi", "faceHistory", "velocityRate", "pressureRate"):
         copy_of(case, wrong)
         os.remove(os.path.join(wrong, "0.02", name))
         log = failure(wrong)

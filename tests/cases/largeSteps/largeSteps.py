@@ -109,22 +109,23 @@ def check_array(report, folder):
 def channel(folder, behind):
     """Velocities in a channel between fixed plates that go on through cyclic
     patches; the upper one ends this far from a wall."""
+    halves = {"low": 4, "high": (16 - behind - 7.33)/2}
+    middles = {"low": 5.33 - halves["low"], "high": 7.33 + halves["high"]}
     plate = ("shape {{ type polygon; file \"{0}.csv\"; }} "
              "material {{ type rigid; density 1; }} motion {{ type fixed; }}")
     case = fsiCase.Case(
         os.path.join(folder, f"channel-{behind}"), box=(0, 0, 4, 16),
         cells=(4, 16), viscosity=1, cyclic="x",
         shapes=" ".join(f"{name} {{ {plate.format(name)} }}"
-                        for name in ("low", "high")),
+                        for name in halves),
         placements="".join(
             f"{name} {{ type listed; shape {name}; minimumGap 0; wallGap 0; "
             f"objects ({{ centre (2 {y} 0); }}); }}"
-            for name, y in (("low", 1.33), ("high", 7.33 + (16 - behind
-                                                          - 7.33)/2))),
+            for name, y in middles.items()),
         properties="drivingForce { type acceleration; "
                    "acceleration (1 0 0); }",
         deltaT=1, endTime=40, writeInterval=40)
-    for name, half in (("low", 4), ("high", (16 - behind - 7.33)/2)):
+    for name, half in halves.items():
         corners = ((-8, -half), (8, -half), (8, half), (-8, half))
         with open(os.path.join(case.path, name + ".csv"), "w",
                   encoding="ascii") as stream:
