@@ -8,6 +8,9 @@ The disc of tutorials/validation/timeStep.py. With eight passes a step of
 41 h^2/nu gives the mean velocity of steps an eighth as large within 1 %; with
 one pass it gives a suspension that is too thin. The passes end where they
 should, and say so in the log.
+
+A force that sets the fluid around a fixed disc off within one step, to many
+cells per step: all passes of the step find the same flow.
 """
 
 import os
@@ -71,11 +74,33 @@ def check_end(report, folder):
                  {n for n, _ in steps} == {3}, f"{steps}")
 
 
+def check_sudden(report, folder):
+    """In the first step a force gives the fluid this speed; a disc in a flow
+    without friction has at most twice that beside it, here with less room."""
+    step, speed, cells = 0.01, 10, 40
+    case = fsiCase.Case(
+        os.path.join(folder, "sudden"), cells=(cells, cells), viscosity=0.01,
+        cyclic="x", deltaT=step, maxDeltaT=step, adjustTimeStep="yes",
+        endTime=2*step,
+        shapes="disc { shape { type circle; radius 0.2; } material { type "
+               "rigid; density 1; } motion { type fixed; } }",
+        placements="all { type listed; shape disc; "
+                   "objects ({ centre (0.5 0.42 0); }); }",
+        properties="drivingForce { type acceleration; "
+                   f"acceleration ({speed/step} 0 0); }}").set_up()
+    courant = re.findall(r"(?m)^Time = .* Co (\S+)", case.run("fsiPisoFoam"))
+    most = 2.5*speed*step*cells
+    report.check("a sudden flow is found in its first step",
+                 0.25*most < float(courant[1]) < most,
+                 f"Courant number {courant[1]}, not below {most}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
     report.attempt("velocity", check_velocity, report, folder)
     report.attempt("end of the passes", check_end, report, folder)
+    report.attempt("sudden flow", check_sudden, report, folder)
 
 
 if __name__ == "__main__":

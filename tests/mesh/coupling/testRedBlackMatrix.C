@@ -172,6 +172,32 @@ TEST(redBlackMatrix, solvesAndRespondsToAnotherSource)
 }
 
 
+TEST(redBlackMatrix, startsFromTheExpectedChange)
+{
+    boxMesh box(labelVector(9, 7, 1), 2);
+    const cartesianMesh grid(box.mesh());
+    const vectorField source(roughSource(box.mesh()));
+    volVectorField U(velocity(box.mesh()));
+    const tmp<fvVectorMatrix> equation(momentum(U, source));
+    redBlackMatrix matrix(grid);
+    matrix.set(equation());
+    correctOften(matrix);
+    vectorField rate(U.size());
+    matrix.get(rate);
+    rate -= U.primitiveField();
+    rate /= 0.3;
+
+    const auto firstResidual = [&](const expectedChange& change)
+    {
+        matrix.set(equation(), change);
+        matrix.startCorrection(matrix.sourceNorm());
+        return matrix.sweep(1);
+    };
+    EXPECT_GT(firstResidual(expectedChange()), 1e-3);
+    EXPECT_LT(firstResidual(expectedChange(rate, 0.3)), 1e-12);
+}
+
+
 TEST(redBlackMatrix, firstSweepStartsFromZero)
 {
     boxMesh box(labelVector(8, 7, 1), 2);
