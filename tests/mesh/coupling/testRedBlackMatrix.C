@@ -174,7 +174,7 @@ TEST(redBlackMatrix, solvesAndRespondsToAnotherSource)
 
 TEST(redBlackMatrix, startsFromTheExpectedChange)
 {
-    boxMesh box(labelVector(9, 7, 1), 2);
+    boxMesh box(labelVector(8, 7, 1), 2);
     const cartesianMesh grid(box.mesh());
     const vectorField source(roughSource(box.mesh()));
     volVectorField U(velocity(box.mesh()));
