@@ -25,10 +25,44 @@ void Foam::fsi::denseResponse::solveCopy
         std::copy_n(x.col(first + k).data(), n, column);
         std::fill_n(column + n, nRows - n, 0.0);
     }
-    factor.solve(nColumns, columns_.data(), work_);
+    factor.solve(nColumns, columns_.data());
     for (label k = 0; k < nColumns; ++k)
     {
         std::copy_n(columns_.data() + nRows*k, n, x.col(first + k).data());
+    }
+}
+
+
+void Foam::fsi::denseResponse::factorCopy
+(
+    const label copyi,
+    const std::vector<copyLink>& links
+)
+{
+    denseCholesky& factor = factors_[copyi];
+    factor.reset(panels_, 1/deltaT_);
+    for (const copyLink& link : links)
+    {
+        const label n = link.nNodes();
+        for (label i = 0; i < n; ++i)
+        {
+            for (label j = 0; j <= i; ++j)
+            {
+                factor.add
+                (
+                    link.nodes[i],
+                    link.nodes[j],
+                    link.coefficient*link.weights[i]*link.weights[j]
+                );
+            }
+        }
+    }
+    if (!factor.factor())
+    {
+        FatalErrorInFunction
+            << "The matrix of the viscous links of copy " << copyi
+            << " of shape " << group_.shape().name()
+            << " is not positive definite" << exit(FatalError);
     }
 }
 
@@ -56,38 +90,20 @@ void Foam::fsi::denseResponse::makeModes()
 
 void Foam::fsi::denseResponse::makeMatrices
 (
-    const std::vector<copyLink>* links
+    const std::vector<copyLink>* links,
+    std::vector<Eigen::MatrixXd>& x
 )
 {
+    columnBasis basis(x, group_.shape().nDims());
     factors_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
-        denseCholesky& factor = factors_[copyi];
-        factor.reset(panels_, 1/deltaT_);
-        for (const copyLink& link : links[copyi])
-        {
-            const label n = link.nNodes();
-            for (label i = 0; i < n; ++i)
-            {
-                for (label j = 0; j <= i; ++j)
-                {
-                    factor.add
-                    (
-                        link.nodes[i],
-                        link.nodes[j],
-                        link.coefficient*link.weights[i]*link.weights[j]
-                    );
-                }
-            }
-        }
-        if (!factor.factor())
-        {
-            FatalErrorInFunction
-                << "The matrix of the viscous links of copy " << copyi
-                << " of shape " << group_.shape().name()
-                << " is not positive definite" << exit(FatalError);
-        }
+        factorCopy(copyi, links[copyi]);
+        const label first = basis.start(copyi);
+        const label nColumns = basis.start(copyi + 1) - first;
+        solveCopy(copyi, first, nColumns, basis.values());
     }
+    basis.combine(x);
 }
 
 
@@ -126,22 +142,6 @@ std::vector<Eigen::MatrixXd> Foam::fsi::denseResponse::multiplyModes
     basis.values() = multiply(basis.values());
     basis.combine(modes);
     return std::move(modes);
-}
-
-
-void Foam::fsi::denseResponse::solveModes
-(
-    std::vector<Eigen::MatrixXd>& modes
-) const
-{
-    columnBasis basis(modes, group_.shape().nDims());
-    for (label copyi = 0; copyi < group_.size(); ++copyi)
-    {
-        const label first = basis.start(copyi);
-        const label nColumns = basis.start(copyi + 1) - first;
-        solveCopy(copyi, first, nColumns, basis.values());
-    }
-    basis.combine(modes);
 }
 
 

@@ -57,7 +57,11 @@ void Foam::fsi::laneResponse::factorBlock
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-void Foam::fsi::laneResponse::makeMatrices(const std::vector<copyLink>* links)
+void Foam::fsi::laneResponse::makeMatrices
+(
+    const std::vector<copyLink>* links,
+    std::vector<Eigen::MatrixXd>& x
+)
 {
     factors_.resize
     (
@@ -67,6 +71,7 @@ void Foam::fsi::laneResponse::makeMatrices(const std::vector<copyLink>* links)
     {
         factorBlock(blocki, links);
     }
+    solveMatrices(x);
 }
 
 

@@ -77,13 +77,18 @@ void Foam::fsi::sparseResponse::makeModes()
 }
 
 
-void Foam::fsi::sparseResponse::makeMatrices(const std::vector<copyLink>* links)
+void Foam::fsi::sparseResponse::makeMatrices
+(
+    const std::vector<copyLink>* links,
+    std::vector<Eigen::MatrixXd>& x
+)
 {
     factors_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
         factorCopy(copyi, links[copyi]);
     }
+    solveMatrices(x);
 }
 
 

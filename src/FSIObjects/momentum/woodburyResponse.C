@@ -12,7 +12,7 @@ Foam::fsi::woodburyResponse::woodburyResponse(const bodyGroup& group)
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-void Foam::fsi::woodburyResponse::solveModes
+void Foam::fsi::woodburyResponse::solveMatrices
 (
     std::vector<Eigen::MatrixXd>& x
 ) const
@@ -56,7 +56,8 @@ void Foam::fsi::woodburyResponse::updateLinks
         modes_.emplace_back(Eigen::MatrixXd::Zero(nRows(), mode.cols()));
         modes_.back().topRows(mode.rows()) = mode;
     }
-    makeMatrices(links);
+    solved_ = modes_;
+    makeMatrices(links, solved_);
     makeWoodbury();
     makeSource();
 }
@@ -84,8 +85,6 @@ void Foam::fsi::woodburyResponse::addModes
 void Foam::fsi::woodburyResponse::makeWoodbury()
 {
     const label nModes(modes_.size());
-    solved_ = modes_;
-    solveModes(solved_);
     woodbury_.resize(group_.size());
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {

@@ -125,7 +125,18 @@ Foam::scalar Foam::fsi::bodyVolume::of
     const nodes& points
 )
 {
-    return bodyVolume(faces, points, points).coefficients_[0];
+    const label nDims = points.cols();
+    scalar volume = 0;
+    for (const surfaceFace& face : faces)
+    {
+        const vector a(between(points, 0, face[0]));
+        const vector b(between(points, 0, face[1]));
+        volume +=
+            nDims == 2
+          ? 0.5*(a.x()*b.y() - a.y()*b.x())
+          : (a & (b ^ between(points, 0, face[2])))/6;
+    }
+    return volume;
 }
 
 

@@ -72,27 +72,38 @@ static scalar shearEnergy
     Eigen::MatrixXd* force
 )
 {
-    if (shape.shearModulus() == 0)
+    const scalar modulus = shape.shearModulus();
+    if (modulus == 0)
     {
         return 0;
     }
-    const strainDomains& domains = shape.elementTerm().shearDomains();
-    const scalar stiffness = shearTerm::bound(nDims)*shape.shearModulus();
-    scalar energy = 0;
-    for (label domaini = 0; domaini < domains.size(); ++domaini)
+    const shearMatrix& matrix = shape.elementTerm().shearForces();
+    const pointField& X = shape.points();
+    Eigen::Matrix<scalar, Eigen::Dynamic, nDims, Eigen::RowMajor> u
+    (
+        x.rowwise() - x.row(0)
+    );
+    forAll(X, node)
     {
-        scalar F[nDims*nDims], H[nDims*nDims];
-        domains.gradient(domaini, x, true, F);
-        std::copy(F, F + nDims*nDims, H);
-        shearTerm::toGradient<nDims>(F);
-
-        // A quadratic energy is half of the displacement times its force
-        const scalar size = stiffness*domains.volumes()[domaini];
-        for (int i = 0; i < nDims*nDims; ++i)
+        for (int k = 0; k < nDims; ++k)
         {
-            energy += 0.5*size*H[i]*F[i];
+            u(node, k) -= X[node][k] - X[0][k];
         }
-        spread<nDims>(domains, domaini, size, F, copyi, force);
+    }
+    scalar energy = 0;
+    for (label node = 0; node < matrix.size(); ++node)
+    {
+        scalar f[nDims];
+        matrix.force<nDims, true>(node, u, f);
+        for (int k = 0; k < nDims; ++k)
+        {
+            // A quadratic energy is half of the displacement times its force
+            energy -= 0.5*modulus*u(node, k)*f[k];
+            if (force)
+            {
+                (*force)(node, nDims*copyi + k) += modulus*f[k];
+            }
+        }
     }
     return energy;
 }

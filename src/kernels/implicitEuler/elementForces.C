@@ -3,7 +3,6 @@
 #include "elementForces.H"
 #include "elementViscosity.H"
 #include "laneDomains.H"
-#include "shearTerm.H"
 #include "UIndirectList.H"
 #include "vectorClones.H"
 
@@ -15,22 +14,19 @@ namespace fsi
 {
 
 //- S, see above
-template<int nDims, int lanes>
+template<int nDims, class Array>
 [[gnu::always_inline]]
-static inline laneArray<lanes> largestSecondDerivative
-(
-    const laneArray<lanes>* F
-)
+static inline Array largestSecondDerivative(const Array* F)
 {
-    laneArray<lanes> C[nDims*nDims];
+    Array C[nDims*nDims];
     volumeTerm::cofactors<nDims>(F, C);
-    const laneArray<lanes> excess =
+    const Array excess =
         (volumeTerm::determinant<nDims>(F, C) - 1).abs();
     if (nDims == 2)
     {
         return F[0]*F[0] + F[1]*F[1] + F[2]*F[2] + F[3]*F[3] + excess;
     }
-    laneArray<lanes> squares(0), cofactorSquares(0);
+    Array squares(0), cofactorSquares(0);
     for (int i = 0; i < nDims*nDims; ++i)
     {
         squares += F[i]*F[i];
@@ -45,7 +41,7 @@ static inline laneArray<lanes> largestSecondDerivative
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-template<int lanes>
+template<class Array>
 [[gnu::always_inline]]
 inline void Foam::fsi::elementForces::setCurrent
 (
@@ -56,27 +52,26 @@ inline void Foam::fsi::elementForces::setCurrent
     const label n = shape_.nDims()*shape_.nNodes();
     for (label place = 0; place < n; ++place)
     {
-        to<lanes>(current_, place) =
-            at<lanes>(from, place) + at<lanes>(change, place);
+        to<Array>(current_, place) =
+            at<Array>(from, place) + at<Array>(change, place);
     }
 }
 
 
-template<int nDims, int lanes, Foam::fsi::dualStep step>
+template<int nDims, class Array, Foam::fsi::dualStep step>
 [[gnu::always_inline]]
 inline void Foam::fsi::elementForces::volumes(copyBlock& block)
 {
-    typedef laneArray<lanes> array;
     const int n = nDims*nDims;
     const volumeTerm& term = shape_.elementTerm();
     const strainDomains& domains = term.volumeDomains();
     const scalar weight = shape_.admm().areaWeight;
     const scalar shearPart = term.shearPart();
-    array stretch = array::Zero();
+    Array stretch = Array::Zero();
 
     forAll(volumeWeights_, domaini)
     {
-        array F[n], u[n];
+        Array F[n], u[n];
         deformation<nDims>(domains, domaini, volumeRows_, current_, F);
         for (int i = 0; i < nDims; ++i)
         {
@@ -98,79 +93,71 @@ inline void Foam::fsi::elementForces::volumes(copyBlock& block)
         {
             for (int i = 0; i < n; ++i)
             {
-                u[i] = at<lanes>(dual_, n*domaini + i);
+                u[i] = at<Array>(dual_, n*domaini + i);
             }
             volumeTerm::toLocalStep<nDims>(F, u, weight, shearPart);
         }
 
         for (int i = 0; i < n; ++i)
         {
-            const auto old = to<lanes>(dual_, n*domaini + i);
-            u[i] = volumeWeights_[domaini]*updateDual<step, lanes>(u[i], old);
+            const auto old = to<Array>(dual_, n*domaini + i);
+            u[i] = volumeWeights_[domaini]*updateDual<step>(u[i], old);
         }
         spread<nDims>(domains, domaini, volumeRows_, u, block.residual);
     }
-    to<lanes>(stretch_, 0) = stretch;
+    to<Array>(stretch_, 0) = stretch;
 }
 
 
-template<int nDims, int lanes>
+template<int nDims, class Array, bool shear>
 [[gnu::always_inline]]
-inline void Foam::fsi::elementForces::shear(copyBlock& block)
+inline void Foam::fsi::elementForces::addForces
+(
+    const scalar weight,
+    copyBlock& block
+)
 {
-    typedef laneArray<lanes> array;
-    const strainDomains& domains = shape_.elementTerm().shearDomains();
-
-    forAll(shearWeights_, domaini)
+    const shearMatrix& matrix = *shearForces_;
+    const double* u = current_.cdata();
+    for (label row = 0; row < matrix.size(); ++row)
     {
-        array F[nDims*nDims];
-        deformation<nDims>(domains, domaini, shearRows_, current_, F);
-        shearTerm::toGradient<nDims>(F);
-        for (array& part : F)
+        Array f[nDims];
+        matrix.force<nDims, shear>
+        (
+            row,
+            [&](const label i, const label k) __attribute__((always_inline))
+            {
+                return at<Array>(u, nDims*i + k);
+            },
+            f
+        );
+        for (int k = 0; k < nDims; ++k)
         {
-            part *= -shearWeights_[domaini];
+            to<Array>(block.residual, nDims*row + k) += weight*f[k];
         }
-        spread<nDims>(domains, domaini, shearRows_, F, block.residual);
     }
 }
 
 
-template<int nDims, int lanes>
-[[gnu::always_inline]]
-inline void Foam::fsi::elementForces::viscous(copyBlock& block)
-{
-    typedef laneArray<lanes> array;
-    const strainDomains& domains = shape_.elementTerm().shearDomains();
-
-    forAll(viscousWeights_, domaini)
-    {
-        array P[nDims*nDims];
-        deformation<nDims>(domains, domaini, shearRows_, current_, P);
-        for (array& part : P)
-        {
-            part *= -viscousWeights_[domaini];
-        }
-        spread<nDims>(domains, domaini, shearRows_, P, block.residual);
-    }
-}
-
-
-template<int nDims, int lanes, Foam::fsi::dualStep step>
+template<int nDims, class Array, Foam::fsi::dualStep step>
 [[gnu::always_inline]]
 inline void Foam::fsi::elementForces::add(copyBlock& block)
 {
-    setCurrent<lanes>(block.displacement, block.change);
-    volumes<nDims, lanes, step>(block);
-    shear<nDims, lanes>(block);
-    if (step != dualStep::start && !viscousWeights_.empty())
+    setCurrent<Array>(block.displacement, block.change);
+    volumes<nDims, Array, step>(block);
+    if (shearWeight_ > 0)
     {
-        setCurrent<lanes>(block.lessDrift, block.change);
-        viscous<nDims, lanes>(block);
+        addForces<nDims, Array, true>(shearWeight_, block);
+    }
+    if (step != dualStep::start && viscousWeight_ > 0)
+    {
+        setCurrent<Array>(block.lessDrift, block.change);
+        addForces<nDims, Array, false>(viscousWeight_, block);
     }
 }
 
 
-template<int nDims, int lanes>
+template<class Array>
 [[gnu::always_inline]]
 inline void Foam::fsi::elementForces::add
 (
@@ -178,21 +165,27 @@ inline void Foam::fsi::elementForces::add
     copyBlock& block
 )
 {
-    switch (step)
-    {
-        case dualStep::start:
-            add<nDims, lanes, dualStep::start>(block); break;
-        case dualStep::local:
-            add<nDims, lanes, dualStep::local>(block); break;
-        case dualStep::force:
-            add<nDims, lanes, dualStep::force>(block); break;
-    }
+    withKnown
+    (
+        block.nDims,
+        step,
+        [&](const auto n, const auto known) __attribute__((always_inline))
+        {
+            add<n, Array, known>(block);
+        }
+    );
 }
 
 
-template<int nDims>
-[[gnu::always_inline]]
-inline void Foam::fsi::elementForces::add
+FSI_AVX512
+void Foam::fsi::elementForces::addWide(const dualStep step, copyBlock& block)
+{
+    add<laneArray<8, 8>>(step, block);
+}
+
+
+FSI_AVX2_CLONES
+void Foam::fsi::elementForces::addNarrow
 (
     const int lanes,
     const dualStep step,
@@ -201,10 +194,10 @@ inline void Foam::fsi::elementForces::add
 {
     switch (lanes)
     {
-        case 8: add<nDims, 8>(step, block); break;
-        case 4: add<nDims, 4>(step, block); break;
-        case 2: add<nDims, 2>(step, block); break;
-        default: add<nDims, 1>(step, block);
+        case 8: add<laneArray<8>>(step, block); break;
+        case 4: add<laneArray<4>>(step, block); break;
+        case 2: add<laneArray<2>>(step, block); break;
+        default: add<laneArray<1>>(step, block);
     }
 }
 
@@ -225,25 +218,16 @@ void Foam::fsi::elementForces::setFactor(const admmFactor& factor)
     const volumeTerm& term = shape_.elementTerm();
     const labelList& rowOf = factor.rowOf();
     volumeRows_ = UIndirectList<label>(rowOf, term.volumeDomains().nodes())();
-    shearRows_ = UIndirectList<label>(rowOf, term.shearDomains().nodes())();
 
     const scalar dt = factor.deltaT();
     volumeWeights_ =
         sqr(dt)*shape_.admm().areaWeight*term.stiffness()
        *term.volumeDomains().volumes();
-    shearWeights_.clear();
-    if (shape_.shearModulus() > 0)
+    shearWeight_ = sqr(dt)*shape_.shearModulus();
+    viscousWeight_ = dt*elementViscosity::boundRatio*shape_.viscosity();
+    if (shearWeight_ > 0 || viscousWeight_ > 0)
     {
-        shearWeights_ =
-            shearTerm::bound(shape_.nDims())*sqr(dt)*shape_.shearModulus()
-           *term.shearDomains().volumes();
-    }
-    viscousWeights_.clear();
-    if (shape_.viscosity() > 0)
-    {
-        viscousWeights_ =
-            dt*elementViscosity::boundRatio*shape_.viscosity()
-           *term.shearDomains().volumes();
+        shearForces_.reset(new shearMatrix(term.shearDomains(), rowOf));
     }
 }
 
@@ -263,7 +247,6 @@ void Foam::fsi::elementForces::resize(const label lanes)
 }
 
 
-FSI_AVX2_CLONES
 void Foam::fsi::elementForces::add
 (
     const int lanes,
@@ -271,13 +254,13 @@ void Foam::fsi::elementForces::add
     copyBlock& block
 )
 {
-    if (block.nDims == 2)
+    if (lanes == 8 && hasAVX512())
     {
-        add<2>(lanes, step, block);
+        addWide(step, block);
     }
     else
     {
-        add<3>(lanes, step, block);
+        addNarrow(lanes, step, block);
     }
 }
 

@@ -51,53 +51,51 @@ void Foam::fsi::springForces::setRestLengths
 }
 
 
-template<int nDims, int lanes, Foam::fsi::dualStep step>
+template<int nDims, class Array, Foam::fsi::dualStep step>
 [[gnu::always_inline]]
 inline void Foam::fsi::springForces::add(copyBlock& block)
 {
-    typedef laneArray<lanes> array;
-
     forAll(weights_, springi)
     {
         const label a = nDims*rows_[2*springi];
         const label b = nDims*rows_[2*springi + 1];
 
         // y, which is D x at the start
-        array y[nDims], squares;
+        Array y[nDims], squares;
         for (int i = 0; i < nDims; ++i)
         {
             y[i] =
-                (at<lanes>(block.start, b + i) - at<lanes>(block.start, a + i))
+                (at<Array>(block.start, b + i) - at<Array>(block.start, a + i))
               + (
-                    at<lanes>(block.change, b + i)
-                  - at<lanes>(block.change, a + i)
+                    at<Array>(block.change, b + i)
+                  - at<Array>(block.change, a + i)
                 );
             if (step == dualStep::local)
             {
-                y[i] += at<lanes>(dual_, nDims*springi + i);
+                y[i] += at<Array>(dual_, nDims*springi + i);
             }
             squares = i ? squares + y[i]*y[i] : y[i]*y[i];
         }
 
         // u over y
-        const array length = squares.sqrt().max(VSMALL);
-        const array fromRest =
-            (1 - at<lanes>(restLengths_, springi)/length)
+        const Array length = squares.sqrt().max(VSMALL);
+        const Array fromRest =
+            (1 - at<Array>(restLengths_, springi)/length)
            *(step == dualStep::local ? fraction_ : ratio_);
 
         const scalar weight = weights_[springi];
         for (int i = 0; i < nDims; ++i)
         {
-            const auto u = to<lanes>(dual_, nDims*springi + i);
-            const array g = updateDual<step, lanes>(fromRest*y[i], u);
-            to<lanes>(block.residual, a + i) -= weight*g;
-            to<lanes>(block.residual, b + i) += weight*g;
+            const auto u = to<Array>(dual_, nDims*springi + i);
+            const Array g = updateDual<step>(fromRest*y[i], u);
+            to<Array>(block.residual, a + i) -= weight*g;
+            to<Array>(block.residual, b + i) += weight*g;
         }
     }
 }
 
 
-template<int nDims, int lanes>
+template<class Array>
 [[gnu::always_inline]]
 inline void Foam::fsi::springForces::add
 (
@@ -105,34 +103,15 @@ inline void Foam::fsi::springForces::add
     copyBlock& block
 )
 {
-    switch (step)
-    {
-        case dualStep::start:
-            add<nDims, lanes, dualStep::start>(block); break;
-        case dualStep::local:
-            add<nDims, lanes, dualStep::local>(block); break;
-        case dualStep::force:
-            add<nDims, lanes, dualStep::force>(block); break;
-    }
-}
-
-
-template<int nDims>
-[[gnu::always_inline]]
-inline void Foam::fsi::springForces::add
-(
-    const int lanes,
-    const dualStep step,
-    copyBlock& block
-)
-{
-    switch (lanes)
-    {
-        case 8: add<nDims, 8>(step, block); break;
-        case 4: add<nDims, 4>(step, block); break;
-        case 2: add<nDims, 2>(step, block); break;
-        default: add<nDims, 1>(step, block);
-    }
+    withKnown
+    (
+        block.nDims,
+        step,
+        [&](const auto n, const auto known) __attribute__((always_inline))
+        {
+            add<n, Array, known>(block);
+        }
+    );
 }
 
 
@@ -205,13 +184,12 @@ void Foam::fsi::springForces::add
     copyBlock& block
 )
 {
-    if (block.nDims == 2)
+    switch (lanes)
     {
-        add<2>(lanes, step, block);
-    }
-    else
-    {
-        add<3>(lanes, step, block);
+        case 8: add<laneArray<8>>(step, block); break;
+        case 4: add<laneArray<4>>(step, block); break;
+        case 2: add<laneArray<2>>(step, block); break;
+        default: add<laneArray<1>>(step, block);
     }
 }
 

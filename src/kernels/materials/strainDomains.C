@@ -117,6 +117,32 @@ void Foam::fsi::strainDomains::append
 }
 
 
+template<class Product>
+void Foam::fsi::strainDomains::addProducts
+(
+    const Product& product,
+    matrixEntries& entries
+) const
+{
+    forAll(volumes_, domaini)
+    {
+        for (label m = start_[domaini]; m < start_[domaini + 1]; ++m)
+        {
+            for (label n = start_[domaini]; n < start_[domaini + 1]; ++n)
+            {
+                entries.emplace_back
+                (
+                    nodes_[m],
+                    nodes_[n],
+                    volumes_[domaini]
+                   *product(&gradients_[nDims_*m], &gradients_[nDims_*n])
+                );
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::strainDomains::strainDomains
@@ -230,34 +256,39 @@ void Foam::fsi::strainDomains::addForce
 void Foam::fsi::strainDomains::addLaplacian
 (
     const scalar weight,
-    std::vector<Eigen::Triplet<double>>& entries
+    matrixEntries& entries
 ) const
 {
     if (weight == 0)
     {
         return;
     }
-    forAll(volumes_, domaini)
-    {
-        for (label m = start_[domaini]; m < start_[domaini + 1]; ++m)
+    addProducts
+    (
+        [&](const scalar* gm, const scalar* gn)
         {
-            for (label n = start_[domaini]; n < start_[domaini + 1]; ++n)
+            scalar product = 0;
+            for (label i = 0; i < nDims_; ++i)
             {
-                scalar product = 0;
-                for (label i = 0; i < nDims_; ++i)
-                {
-                    product +=
-                        gradients_[nDims_*m + i]*gradients_[nDims_*n + i];
-                }
-                entries.emplace_back
-                (
-                    nodes_[m],
-                    nodes_[n],
-                    weight*volumes_[domaini]*product
-                );
+                product += gm[i]*gn[i];
             }
-        }
-    }
+            return weight*product;
+        },
+        entries
+    );
+}
+
+
+void Foam::fsi::strainDomains::addCurl(matrixEntries& entries) const
+{
+    addProducts
+    (
+        [](const scalar* gm, const scalar* gn)
+        {
+            return gn[0]*gm[1] - gn[1]*gm[0];
+        },
+        entries
+    );
 }
 
 

@@ -50,7 +50,8 @@ Foam::fsi::volumeTerm::volumeTerm
     shearPart_(mesh.nDims() == 3 ? shearModulus/max(stiffness_, VSMALL) : 0),
     volumes_(checkedVolumes(mesh, thickness)),
     volumeDomains_(mesh, thickness, volumeDomains),
-    shearDomains_(mesh, thickness, shearDomains)
+    shearDomains_(mesh, thickness, shearDomains),
+    shearMatrix_(shearDomains_, identity(mesh.points.size()))
 {}
 
 

@@ -9,16 +9,15 @@
 
 void Foam::fsi::admmFactor::store(const Eigen::SparseMatrix<double>& lower)
 {
+    factor_.reset(new supernodalFactor(lower));
+
     const label n = lower.cols();
     const label nStrict = lower.nonZeros() - n;
 
-    inverseDiagonal_.resize(n);
     columnStart_.resize(n + 1);
     columnRow_.resize(nStrict);
-    columnValue_.resize(nStrict);
     rowStart_.resize(n + 1);
     rowColumn_.resize(nStrict);
-    rowValue_.resize(nStrict);
 
     label entry = 0;
     rowStart_ = 0;
@@ -27,14 +26,9 @@ void Foam::fsi::admmFactor::store(const Eigen::SparseMatrix<double>& lower)
         columnStart_[j] = entry;
         for (Eigen::SparseMatrix<double>::InnerIterator it(lower, j); it; ++it)
         {
-            if (it.row() == j)
-            {
-                inverseDiagonal_[j] = 1/it.value();
-            }
-            else
+            if (it.row() != j)
             {
                 columnRow_[entry] = it.row();
-                columnValue_[entry] = it.value();
                 ++rowStart_[it.row() + 1];
                 ++entry;
             }
@@ -53,7 +47,6 @@ void Foam::fsi::admmFactor::store(const Eigen::SparseMatrix<double>& lower)
         {
             const label place = next[columnRow_[e]]++;
             rowColumn_[place] = j;
-            rowValue_[place] = columnValue_[e];
         }
     }
 }

@@ -98,56 +98,7 @@ static void multiplyColumns
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-template<int width>
-[[gnu::always_inline]]
-inline void Foam::fsi::admmFactor::solveWidth(scalar* rows) const
-{
-    // The sum of a row stays in registers, as the width is known
-    typedef laneArray<width> values;
-    const label n = size();
-
-    for (label i = 0; i < n; ++i)
-    {
-        values sum = at<width>(rows, i);
-        for (label e = rowStart_[i]; e < rowStart_[i + 1]; ++e)
-        {
-            sum -= rowValue_[e]*at<width>(rows, rowColumn_[e]);
-        }
-        to<width>(rows, i) = inverseDiagonal_[i]*sum;
-    }
-
-    for (label i = n - 1; i >= 0; --i)
-    {
-        values sum = at<width>(rows, i);
-        for (label e = columnStart_[i]; e < columnStart_[i + 1]; ++e)
-        {
-            sum -= columnValue_[e]*at<width>(rows, columnRow_[e]);
-        }
-        to<width>(rows, i) = inverseDiagonal_[i]*sum;
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-FSI_AVX2_CLONES
-void Foam::fsi::admmFactor::solveRows(const int width, scalar* rows) const
-{
-    switch (width)
-    {
-        case 24: solveWidth<24>(rows); break;
-        case 16: solveWidth<16>(rows); break;
-        case 12: solveWidth<12>(rows); break;
-        case 8: solveWidth<8>(rows); break;
-        case 6: solveWidth<6>(rows); break;
-        case 4: solveWidth<4>(rows); break;
-        case 3: solveWidth<3>(rows); break;
-        default: solveWidth<2>(rows);
-    }
-}
-
 
 void Foam::fsi::admmFactor::solve(Eigen::MatrixXd& b) const
 {

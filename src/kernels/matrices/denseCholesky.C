@@ -69,13 +69,11 @@ bool Foam::fsi::denseCholesky::factor()
 void Foam::fsi::denseCholesky::solve
 (
     const label nColumns,
-    double* columns,
-    laneField& work
+    double* columns
 ) const
 {
-    work.resize(width*nRows());
     const auto solve = hasAVX512() ? solveWide : solveNarrow;
-    solve(values_.data(), nPanels_, nColumns, columns, work.data());
+    solve(values_.data(), nPanels_, nColumns, columns);
 }
 
 

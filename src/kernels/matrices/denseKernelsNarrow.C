@@ -23,11 +23,10 @@ void Foam::fsi::solveNarrow
     const double* values,
     const label nPanels,
     const label nColumns,
-    double* x,
-    double* rows
+    double* x
 )
 {
-    solveColumns<narrowTiles::column>(values, nPanels, nColumns, x, rows);
+    solveColumns<narrowTiles::column>(values, nPanels, nColumns, x);
 }
 
 

@@ -32,11 +32,10 @@ void Foam::fsi::solveWide
     const double* values,
     const label nPanels,
     const label nColumns,
-    double* x,
-    double* rows
+    double* x
 )
 {
-    solveColumns<wideTiles::column>(values, nPanels, nColumns, x, rows);
+    solveColumns<wideTiles::column>(values, nPanels, nColumns, x);
 }
 
 

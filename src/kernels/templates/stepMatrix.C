@@ -11,8 +11,6 @@ namespace Foam
 namespace fsi
 {
 
-typedef std::vector<Eigen::Triplet<double>> matrixEntries;
-
 //- Masses and springs
 static void addNodesAndSprings
 (

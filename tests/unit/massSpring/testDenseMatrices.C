@@ -68,8 +68,7 @@ TEST(denseMatrices, choleskySolvesAnyNumberOfColumns)
             Eigen::MatrixXd x(Eigen::MatrixXd::Zero(factor.nRows(), nColumns));
             const Eigen::MatrixXd b(numbers(n, nColumns));
             x.topRows(n) = b;
-            laneField work;
-            factor.solve(nColumns, x.data(), work);
+            factor.solve(nColumns, x.data());
             EXPECT_LT
             (
                 (A*x.topRows(n) - b).cwiseAbs().maxCoeff(), 1e-12*n
@@ -118,20 +117,19 @@ TEST(denseMatrices, aColumnDoesNotDependOnThoseBesideIt)
     denseCholesky factor;
     factor.reset(A);
     ASSERT_TRUE(factor.factor());
-    laneField work;
 
     Eigen::MatrixXd x(Eigen::MatrixXd::Zero(factor.nRows(), 27));
     x.topRows(n) = numbers(n, 27);
     Eigen::MatrixXd together, alone;
     panels.multiply(x.topRows(n), together);
     Eigen::MatrixXd solved(x);
-    factor.solve(27, solved.data(), work);
+    factor.solve(27, solved.data());
     for (label c = 0; c < 27; ++c)
     {
         panels.multiply(x.col(c).head(n), alone);
         EXPECT_EQ(alone, together.col(c)) << c;
         Eigen::MatrixXd column(x.col(c));
-        factor.solve(1, column.data(), work);
+        factor.solve(1, column.data());
         EXPECT_EQ(column, solved.col(c)) << c;
     }
 }
