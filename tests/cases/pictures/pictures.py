@@ -134,10 +134,12 @@ def check_monitor(report, case, folder):
                      "'s/^\"\\(.*\\)\" using 1:2 .*/\\1/p' $1)\n")
     os.chmod(stub, 0o755)
 
+    # foamMonitor kills gnuplot after that many ticks of the clock's seconds:
+    # with one the first tick may come before gnuplot has begun
     def monitor(*options):
         return subprocess.run(
             [os.path.join(ETC, "monitor"), *options, case, "-refresh", "1",
-             "-idle", "1"], capture_output=True, text=True, check=False,
+             "-idle", "3"], capture_output=True, text=True, check=False,
             env={**os.environ, "PATH": folder + ":" + os.environ["PATH"]})
 
     text = monitor().stdout
