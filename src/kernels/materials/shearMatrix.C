@@ -36,7 +36,7 @@ Foam::fsi::shearMatrix::shearMatrix
     };
     const matrix L(assembled(laplacian)), C(assembled(curl));
 
-    DynamicList<label> start(1, 0), columns;
+    DynamicList<label> start(1, label(0)), columns;
     DynamicList<scalar> values[2];
     for (label row = 0; row < L.outerSize(); ++row)
     {

@@ -27,6 +27,18 @@ static scalarField checkedVolumes(const shapeMesh& mesh, const scalar thickness)
     return volumes;
 }
 
+
+//- 0 to n - 1
+static labelList inOrder(const label n)
+{
+    labelList result(n);
+    forAll(result, i)
+    {
+        result[i] = i;
+    }
+    return result;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -51,7 +63,7 @@ Foam::fsi::volumeTerm::volumeTerm
     volumes_(checkedVolumes(mesh, thickness)),
     volumeDomains_(mesh, thickness, volumeDomains),
     shearDomains_(mesh, thickness, shearDomains),
-    shearMatrix_(shearDomains_, identity(mesh.points.size()))
+    shearMatrix_(shearDomains_, inOrder(mesh.points.size()))
 {}
 
 
