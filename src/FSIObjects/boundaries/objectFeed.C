@@ -19,26 +19,6 @@ static word fractionKey(const direction nDims)
 }
 
 
-//- The dictionary, after its keys are checked
-static const dictionary& checkedFeed
-(
-    const dictionary& dict,
-    const direction nDims
-)
-{
-    checkKeys
-    (
-        dict,
-        {
-            "shape", "rate", fractionKey(nDims), "velocity", "angularVelocity",
-            "velocityPerturbation", "randomRotation", "rotation",
-            "minimumGap", "sideGap", "seed", "startTime", "maxAttempts"
-        }
-    );
-    return dict;
-}
-
-
 //- Box of a patch, of all ranks
 static boundBox patchBounds(const polyMesh& mesh, const word& name)
 {
@@ -76,6 +56,15 @@ Foam::label Foam::fsi::objectFeed::readGroup(const dictionary& dict) const
 void Foam::fsi::objectFeed::check(const dictionary& dict) const
 {
     const word fraction(fractionKey(shape_.nDims()));
+    checkKeys
+    (
+        dict,
+        {
+            "shape", "rate", fraction, "velocity", "angularVelocity",
+            "velocityPerturbation", "randomRotation", "rotation",
+            "minimumGap", "sideGap", "seed", "startTime", "maxAttempts"
+        }
+    );
     if (dict.found("rate") == dict.found(fraction))
     {
         FatalIOErrorInFunction(dict)
@@ -173,10 +162,11 @@ Foam::fsi::objectFeed::objectFeed
     const cartesianMesh& grid,
     const domainSides& sides,
     population& objects,
+    const word& patch,
     const dictionary& dict
 )
 :
-    patch_(checkedFeed(dict, objects.nDims()).dictName()),
+    patch_(patch),
     grid_(grid),
     objects_(objects),
     side_(sides.findPatch(patch_)),

@@ -146,7 +146,10 @@ Foam::fsi::openBoundaries::openBoundaries
                 << " one side, with a dictionary; open patches are "
                 << flatOutput(sides.openPatches()) << exit(FatalIOError);
         }
-        feeds_.append(new objectFeed(grid, sides, objects, e.dict()));
+        feeds_.append
+        (
+            new objectFeed(grid, sides, objects, e.keyword(), e.dict())
+        );
     }
     read();
 }

@@ -5,6 +5,7 @@
     through.py FOLDER
 """
 
+import os
 import re
 import sys
 
@@ -166,6 +167,30 @@ def check_crowd(report, folder):
                  f"{max(n)} objects, target {target:.2f}")
 
 
+def check_names(report, folder):
+    """A patch feeds under any name that a word may be, and its counters go
+    on at a restart."""
+    for number, name in enumerate(("in-let.1", "in(2)[a]", "in.*+?")):
+        case = channel(folder, f"name{number}", ((1.5, 0.5, 1),), endTime=0.02,
+                       writeInterval=2, startFrom="latestTime",
+                       properties=FEED.format("rate 2.5;").replace(
+                           "left", name))
+        for file in ("constant/polyMesh/boundary", "0/U", "0/p"):
+            with open(os.path.join(case.path, file), encoding="ascii") as text:
+                words = text.read().replace("left", name)
+            with open(os.path.join(case.path, file), "w",
+                      encoding="ascii") as text:
+                text.write(words)
+        fed = []
+        for end in (0.02, 0.04):
+            case.control(endTime=end)
+            if report.attempt(f"patch {name}, to {end}", case.run,
+                              "fsiPisoFoam") is None:
+                return
+            fed.append(results.table(case.path, "global.csv")[-1]["fed"])
+        report.check(f"patch {name} feeds once", fed == [1, 1], fed)
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -173,6 +198,7 @@ def main(folder):
     check_pressure(report, folder)
     check_feed(report, folder)
     check_crowd(report, folder)
+    check_names(report, folder)
 
 
 if __name__ == "__main__":
