@@ -15,6 +15,9 @@ import sys
 from paraview import simple
 
 
+USAGE = "showCase.py [CASE [PICTURE.png [TIME]]]"
+
+
 def latest_time(folder):
     """The largest name of a time folder, -1 without one. (ParaView's reader
     knows the times of one kind of case only.)"""
@@ -30,6 +33,8 @@ def latest_time(folder):
 def open_fluid(case):
     """The mesh with its fields. A parallel run that was not reconstructed yet
     is read in parts."""
+    if not os.path.isdir(os.path.join(case, "system")):
+        sys.exit(f"showCase.py: {case} is not the folder of a case. {USAGE}")
     name = os.path.join(case, os.path.basename(os.path.abspath(case))
                         + ".foam")
     with open(name, "a", encoding="ascii"):
@@ -42,11 +47,12 @@ def open_fluid(case):
 
 
 def open_objects(case):
-    """The surfaces of all runs of the case."""
-    readers = [
-        simple.OpenDataFile(name) for name in sorted(glob.glob(os.path.join(
-            case, "postProcessing/fsiObjects/*/surfaces.vtp.series")))
-    ]
+    """The surfaces of all runs of the case; before the first one as they
+    were seeded."""
+    folder = os.path.join(case, "postProcessing")
+    names = (glob.glob(os.path.join(folder, "fsiObjects/*/surfaces.vtp.series"))
+             or glob.glob(os.path.join(folder, "seedObjects/surfaces.vtp")))
+    readers = [simple.OpenDataFile(name) for name in sorted(names)]
     for reader in readers:
         reader.UpdatePipeline()
     return readers
@@ -110,11 +116,13 @@ def main(case, picture=None, time=None):
         view.GetActiveCamera().Azimuth(25)
         view.GetActiveCamera().Elevation(20)
     if picture:
-        times = reader.TimestepValues
+        times = list(reader.TimestepValues) or [0.0]
         wanted = times[-1] if time is None else float(time)
         scene.AnimationTime = min(times, key=lambda t: abs(t - wanted))
         simple.SaveScreenshot(picture, view, ImageResolution=[1200, 900])
     simple.Render(view)
 
 
+if len(sys.argv) > 4:
+    sys.exit("showCase.py: too many arguments. " + USAGE)
 main(*(sys.argv[1:] or [os.getcwd()]))

@@ -23,10 +23,15 @@ def times_of(reader):
 
 
 class Series:
-    """A VTK series of polygons or lines; a restart continues an earlier one."""
+    """A VTK series of polygons or lines; a restart continues an earlier one.
+    times: those that runs wrote, else the time of seeding; files: of all."""
 
     def __init__(self, case, name):
         self.files = {}
+        self.seeded = {}
+        path = os.path.join(case, "postProcessing/seedObjects", name + ".vtp")
+        if os.path.exists(path):
+            self.seeded[self.time_of(path)] = path
         folders = glob.glob(os.path.join(case, "postProcessing/fsiObjects/*/"))
         for folder in sorted(folders, key=os.path.getmtime):
             path = os.path.join(folder, name + ".vtp.series")
@@ -36,13 +41,25 @@ class Series:
                 for entry in entries:
                     path = os.path.join(folder, entry["name"])
                     self.files[float(entry["time"])] = path
-        self.times = sorted(self.files)
+        self.times = sorted(self.files or self.seeded)
+        self.files = {**self.seeded, **self.files}
 
-    def read(self, time):
+    @staticmethod
+    def polygons(path):
+        """The content of a file."""
         reader = vtkIOXML.vtkXMLPolyDataReader()
-        reader.SetFileName(self.files[nearest(self.times, time)])
+        reader.SetFileName(path)
         reader.Update()
         return reader.GetOutput()
+
+    def time_of(self, path):
+        """The time that is in a file."""
+        data = self.polygons(path).GetFieldData().GetArray("TimeValue")
+        return data.GetValue(0) if data else 0.0
+
+    def read(self, time):
+        """The polygons or lines of the time nearest to this one."""
+        return self.polygons(self.files[nearest(self.files, time)])
 
 
 class Fluid:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures side by side in one, for etc/render."""
+"""Files of one picture, and of pictures side by side, for etc/render."""
 
 import math
+import os
 
 from PIL import Image
+from vtkmodules import vtkIOImage
 
 # A row this many times as wide as high is broken, into rows that together are
 # at most that many times as wide as high
@@ -43,3 +45,13 @@ def strip(images):
     for place, frame in zip(places, frames):
         sheet.paste(frame, place)
     return sheet
+
+
+def write_png(image, path):
+    """Writes a picture of VTK and tells its name."""
+    os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+    writer = vtkIOImage.vtkPNGWriter()
+    writer.SetFileName(path)
+    writer.SetInputData(image)
+    writer.Write()
+    print(path)

@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """etc/render makes pictures, a strip and animations of a short run, with as
 many pictures as were asked for; objects across a seam stand on both sides.
-etc/plot draws the tables of all runs of a case, and any column; etc/monitor
-hands columns to foamMonitor.
+Tables, charts and the log are in charts.py.
 
     pictures.py FOLDER
 """
@@ -12,20 +11,20 @@ import ast
 import os
 import re
 import shutil
-import struct
 import subprocess
 import sys
 
+import charts
+from charts import ETC, contents, png_size
 import fsiCase
 
-ETC = os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                   "../../../etc")
 RENDER = os.path.join(ETC, "render")
 MEMBRANES = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                          "../../../tutorials/membranes")
 # Two times are written
 END, TIMES = 0.02, 2
 SIZE = 200
+SHAPES = ["disc"]
 
 
 def render(case, *options):
@@ -33,22 +32,6 @@ def render(case, *options):
     done = subprocess.run([RENDER, case, "-size", str(SIZE), *options],
                           capture_output=True, text=True, check=False)
     return done.returncode, done.stdout + done.stderr
-
-
-def contents(*path):
-    """The bytes of a file, none if it is not there."""
-    try:
-        with open(os.path.join(*path), "rb") as stream:
-            return stream.read()
-    except FileNotFoundError:
-        return b""
-
-
-def png_size(data):
-    """Width and height of a PNG."""
-    if data[:8] != b"\x89PNG\r\n\x1a\n":
-        return (0, 0)
-    return struct.unpack(">II", data[16:24])
 
 
 def check_pictures(report, case):
@@ -71,6 +54,34 @@ def check_pictures(report, case):
     report.check("nine pictures stand in three rows",
                  sizes[0][0] > 0 and sizes[1] == tuple(3*n for n in sizes[0]),
                  sizes)
+    status, text = render(case, "-times", f"0,{0.9*END:g}")
+    names = [os.path.basename(word) for word in text.split()
+             if word.endswith(".png")]
+    report.check("the seeding, and the nearest of the written times",
+                 status == 0 and names == ["U_0.png", f"U_{END}.png"]
+                 and f"time {0.9*END:g} was not written" in text, text)
+    status, text = render(case, "-strip", "strip.jpg")
+    report.check("a strip of another ending is refused",
+                 status == 2 and ".png" in text, text)
+
+
+def check_shape_names(report, case):
+    """VTK reads the names of the shapes from the objects' files."""
+    code = (
+        "import sys; from vtkmodules import vtkIOXML; "
+        "r = vtkIOXML.vtkXMLPolyDataReader(); r.SetFileName(sys.argv[1]); "
+        "r.Update(); a = r.GetOutput().GetFieldData().GetAbstractArray("
+        "'shapeNames'); "
+        "print([a.GetValue(i) for i in range(a.GetNumberOfValues())])")
+    for name in ("fsiObjects/0/surfaces_000000.vtp",
+                 "fsiObjects/0/springs_000001.vtp", "seedObjects/surfaces.vtp"):
+        done = subprocess.run(
+            ["/usr/bin/python3", "-c", code,
+             os.path.join(case, "postProcessing", name)],
+            capture_output=True, text=True, check=False)
+        report.check(f"VTK reads the shapes' names in {name}",
+                     done.stdout.strip() == str(SHAPES),
+                     done.stdout + done.stderr)
 
 
 def check_animations(report, case):
@@ -91,96 +102,20 @@ def check_animations(report, case):
                  status != 0 and ".gif or .ogv" in text, text)
 
 
-def plot(case, *options):
-    """Runs etc/plot; status, names of pictures without folders, output."""
-    done = subprocess.run([os.path.join(ETC, "plot"), case, *options],
-                          capture_output=True, text=True, check=False)
-    pictures = done.stdout.split()
-    sound = all(min(png_size(contents(p))) > 300 for p in pictures)
-    return (done.returncode if sound else "not a picture",
-            [os.path.basename(p) for p in pictures],
-            done.stdout + done.stderr)
-
-
-def check_plots(report, case):
-    """Charts of the tables."""
-    status, names, text = plot(case)
-    report.check("a chart of each kind that the run has",
-                 status == 0 and {"energies.png", "speeds.png",
-                                  "timeStep.png", "whereTheTimeGoes.png"}
-                 <= set(names), text)
-    status, names, text = plot(case, "-page", os.path.join(case, "p.png"))
-    report.check("all on one page", (status, names) == (0, ["p.png"]), text)
-    status, names, text = plot(case, "-column", "D,velocity,contacts,maxSpeed")
-    report.check("columns of objects.csv and global.csv",
-                 status == 0 and names == ["deformation.png", "velocity.png",
-                                           "contacts.png", "maxSpeed.png"],
-                 text)
-    status, names, text = plot(case, "-column", "colour")
-    report.check("a column that there is not is refused, with those there are",
-                 status == 1 and "colour" in text and "forceX" in text
-                 and "elasticEnergy" in text, text)
-    status, names, text = plot(os.path.dirname(case))
-    report.check("a folder without tables is refused",
-                 status == 1 and "global.csv" in text, text)
-
-
-def check_monitor(report, case, folder):
-    """etc/monitor with a gnuplot that keeps what it is to draw."""
-    os.makedirs(folder)
-    stub = os.path.join(folder, "gnuplot")
-    with open(stub, "w", encoding="ascii") as stream:
-        stream.write("#!/bin/sh\ncat $1\nexec cat $(sed -n "
-                     "'s/^\"\\(.*\\)\" using 1:2 .*/\\1/p' $1)\n")
-    os.chmod(stub, 0o755)
-
-    # foamMonitor kills gnuplot after that many ticks of the clock's seconds:
-    # with one the first tick may come before gnuplot has begun
-    def monitor(*options):
-        return subprocess.run(
-            [os.path.join(ETC, "monitor"), *options, case, "-refresh", "1",
-             "-idle", "3"], capture_output=True, text=True, check=False,
-            env={**os.environ, "PATH": folder + ":" + os.environ["PATH"]})
-
-    text = monitor().stdout
-    report.check("etc/monitor gives foamMonitor the columns of global.csv",
-                 'using 1:2 with lines title "smallestGap"' in text
-                 and re.search(r"^# time smallestGap maxSpeed timeError\n"
-                               r"(\S+ \S+ \S+ \S+ \n)+", text, re.M), text)
-    done = monitor("-columns", "colour")
-    report.check("etc/monitor refuses other columns",
-                 done.returncode == 1 and "colour" in done.stderr
-                 and "maxSpeed" in done.stderr, done.stderr)
-
-
-def check_tables(report, folder):
-    """The lines of two runs that share some time, the last one broken off."""
-    for start, lines in (("0", "0.1,1\n0.2,2\n0.3,3\n"),
-                         ("0.2", "0.3,30\n0.4,inf\n0.5")):
-        path = os.path.join(folder, "postProcessing/fsiObjects", start)
-        os.makedirs(path)
-        with open(os.path.join(path, "global.csv"), "w",
-                  encoding="ascii") as stream:
-            stream.write("time,gap\n" + lines)
-    sys.path.insert(0, os.path.join(ETC, "pictures"))
-    import tables  # of this project's folder, known now
-    found = [(r["time"], r["gap"]) for r in tables.rows(folder, "global.csv")]
-    report.check("where two runs share a time the later one counts",
-                 found == [(0.1, 1), (0.2, 2), (0.3, 30),
-                           (0.4, float("inf"))], found)
-
-
 def check_log(report, log):
-    """A line per step that fits, then a summary."""
+    """A line per step, all of one form, then a summary."""
     lines = log.split("\n")
     start = lines.index("Starting time loop")
     end = next(i for i, line in enumerate(lines)
                if line.startswith("Summary of "))
-    steps = [line for line in lines[start + 1:end] if line]
-    report.check("the log has a line per step, within 120 columns",
+    steps = [line for line in lines[start + 1:end]
+             if line.startswith("Time = ")]
+    form = re.compile(r"Time = \S+ \(\d+ %, \S+ left\) dt \S+ Co \S+ "
+                      r"(U \d+ p \d+ (passes \d+ )?)?contacts \d+ gap \S+ "
+                      r"speed \S+ error \S+")
+    report.check("the log has a line per step, all with the same entries",
                  len(steps) == int(lines[end].split()[2])
-                 and all(line.startswith("Time = ") and len(line) <= 120
-                         and " left)" in line for line in steps),
+                 and all(form.fullmatch(line) for line in steps),
                  "\n".join(lines[start:end])[:600])
     report.check("its summary counts the warnings and tells where time went",
                  any(line.split() == ["warnings", "none"] for line in lines)
@@ -215,7 +150,7 @@ def shear_box(case):
                              "../redCells/system/decomposeParDict"),
                 os.path.join(case, "system"))
     fsiCase.run(case, "decomposePar")
-    fsiCase.run(case, "fsiPisoFoam", ranks=2)
+    return fsiCase.run(case, "fsiPisoFoam", ranks=2)
 
 
 def check_parallel(report, case):
@@ -247,13 +182,15 @@ def main(folder):
                             endTime=END, writeInterval=END/2)
     check_log(report, fsiCase.run(case, "fsiPisoFoam"))
     check_pictures(report, case)
+    check_shape_names(report, case)
     check_animations(report, case)
-    check_plots(report, case)
-    check_monitor(report, case, os.path.join(folder, "stub"))
-    check_tables(report, os.path.join(folder, "tables"))
+    charts.check_plots(report, case)
+    charts.check_monitor(report, case, os.path.join(folder, "stub"))
+    charts.check_tables(report, os.path.join(folder, "tables"))
 
     case = os.path.join(folder, "box")
-    shear_box(case)
+    check_log(report, shear_box(case))
+    charts.check_foam_log(report, case)
     check_parallel(report, case)
     check_seam(report, case)
 
