@@ -41,6 +41,24 @@ static void checkValues
 }
 
 
+static void checkDimensions
+(
+    const IOobject& field,
+    const dimensionSet& given,
+    const dimensionSet& needed,
+    const char* what
+)
+{
+    if (given != needed)
+    {
+        FatalErrorInFunction
+            << "Entry 'dimensions' in file " << pathOf(field) << " is "
+            << given << " but must be " << needed << ", " << what
+            << exit(FatalError);
+    }
+}
+
+
 template<class Field>
 static void checkField(const Field& field)
 {
@@ -185,6 +203,20 @@ static void checkRegions
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::fieldChecks::checkDimensions
+(
+    const volScalarField& p,
+    const volVectorField& U
+)
+{
+    fsi::checkDimensions
+    (
+        p, p.dimensions(), sqr(dimVelocity), "a pressure over a density"
+    );
+    fsi::checkDimensions(U, U.dimensions(), dimVelocity, "a velocity");
+}
+
 
 void Foam::fsi::fieldChecks::check
 (

@@ -29,6 +29,18 @@ static vector row
 }
 
 
+//- Name the shapes, which cells have as labels
+static void setShapeNames(polyData& data, const population& objects)
+{
+    wordList& names = data.words("shapeNames");
+    names.resize(objects.groups().size());
+    forAll(names, groupi)
+    {
+        names[groupi] = objects.shape(groupi).name();
+    }
+}
+
+
 //- Append the springs of a copy
 static void appendSprings
 (
@@ -80,6 +92,7 @@ Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
     const bool planar = surfaces.nDims() == 2;
 
     polyData data(polyData::POLYGONS);
+    setShapeNames(data, objects);
     data.points = surfaces.points();
     data.pointVectors("velocity") = surfaces.velocities();
 
@@ -119,6 +132,7 @@ Foam::fsi::polyData Foam::fsi::springPolyData(const population& objects)
     }
 
     polyData data(polyData::LINES);
+    setShapeNames(data, objects);
     data.points.resize(objects.nNodes());
     data.pointVectors("velocity").resize(objects.nNodes());
     data.cells.resize(nSprings);

@@ -125,6 +125,10 @@ void Foam::fsi::polyData::write
     xml.begin("PolyData");
     xml.begin("FieldData");
     xml.time(time);
+    for (const auto& data : words_)
+    {
+        xml.array(data.first, data.second);
+    }
     xml.end();
     writePiece(xml);
     xml.end();

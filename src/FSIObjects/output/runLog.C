@@ -14,9 +14,13 @@ namespace Foam
 namespace fsi
 {
 
-//- Three digits of a number
+//- Three digits of a number; what is not known is infinite
 static std::string digits(const scalar value)
 {
+    if (value >= GREAT)
+    {
+        return "inf";
+    }
     char text[32];
     std::snprintf(text, sizeof(text), "%.3g", double(value));
     return text;
@@ -83,6 +87,7 @@ void Foam::fsi::runLog::count(const word& what, const label n)
     if (!allCounts_.found(what))
     {
         names_.append(what);
+        Foam::sort(names_);
     }
     counts_(what) += n;
     allCounts_(what) += n;
@@ -135,34 +140,21 @@ Foam::string Foam::fsi::runLog::line
         " (" + std::to_string(label(100*min(max(share, 0.0), 1.0) + 1e-6))
       + " %, " + stepTimer::clockString(timer.remaining()) + " left)";
 
-    DynamicList<string> parts;
-    parts.append("dt " + digits(record.deltaT));
+    text += " dt " + digits(record.deltaT);
     if (courant_ >= 0)
     {
-        parts.append("Co " + digits(courant_));
+        text += " Co " + digits(courant_);
     }
     for (const word& name : names_)
     {
-        const auto* n = findIn(counts_, name);
-        parts.append(name + " " + std::to_string(n ? *n : 0));
+        text += " " + name + " " + std::to_string(valueOr(counts_, name, 0));
     }
-    parts.append("contacts " + std::to_string(record.contacts));
-    if (record.smallestGap < GREAT)
-    {
-        parts.append("gap " + digits(record.smallestGap));
-    }
-    parts.append("speed " + digits(record.maxSpeed));
-    parts.append("error " + digits(record.timeError));
-
-    for (const string& part : parts)
-    {
-        if (text.size() + 1 + part.size() > width)
-        {
-            break;
-        }
-        text += " " + part;
-    }
-    return text;
+    return
+        text
+      + " contacts " + std::to_string(record.contacts)
+      + " gap " + digits(record.smallestGap)
+      + " speed " + digits(record.maxSpeed)
+      + " error " + digits(record.timeError);
 }
 
 
@@ -218,7 +210,8 @@ void Foam::fsi::runLog::report(Ostream& os) const
     os  << nl
         << "    objects           " << worst_.objects << ", removed "
         << worst_.removed << ", fed " << worst_.fed << nl
-        << "    smallest gap      " << digits(worst_.smallestGap).c_str()
+        << "    smallest gap      "
+        << digits(worst_.smallestGap).c_str()
         << (worst_.smallestGap < GREAT ? " m" : ": none in range") << nl
         << "    largest speed     " << digits(worst_.maxSpeed).c_str()
         << " m/s" << nl

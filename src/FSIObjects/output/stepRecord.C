@@ -48,8 +48,11 @@ Foam::fsi::stepRecord Foam::fsi::stepRecord::sample(const population& objects)
         for (label copyi = 0; copyi < group.size(); ++copyi)
         {
             const scalar volume = group.volume(copyi);
-            sumVolume += volume;
-            record.objectVelocity += volume*group.velocity(copyi);
+            if (group.movesFreely())
+            {
+                sumVolume += volume;
+                record.objectVelocity += volume*group.velocity(copyi);
+            }
             record.areaChange = max
             (
                 record.areaChange,

@@ -202,6 +202,37 @@ void Foam::fsi::vtkXml::array
 }
 
 
+void Foam::fsi::vtkXml::array
+(
+    const std::string& name,
+    const UList<word>& values
+)
+{
+    // Characters, with a zero behind each word; as text their numbers
+    std::string text;
+    for (const word& value : values)
+    {
+        text += value + '\0';
+    }
+    begin
+    (
+        "Array",
+        "type='String' Name='" + name + "' NumberOfTuples='"
+      + std::to_string(values.size()) + "' format='"
+      + (binary_ ? "binary" : "ascii") + "'"
+    );
+    if (binary_)
+    {
+        writeBase64(text.data(), text.size());
+    }
+    else
+    {
+        writeNumbers(std::vector<int>(text.begin(), text.end()));
+    }
+    end();
+}
+
+
 void Foam::fsi::vtkXml::time(const scalar value)
 {
     beginArray("Float32", "TimeValue", " NumberOfTuples='1'");

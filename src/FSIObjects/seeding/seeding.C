@@ -231,19 +231,27 @@ void Foam::fsi::seeding::report(Ostream& os) const
     {
         const bodyGroup& group = objects_.groups()[groupi];
         const shapeTemplate& shape = group.shape();
+        const bool free = group.movesFreely();
         const scalar ofShape = group.size()*shape.referenceVolume();
-        sum += ofShape;
+        sum += free ? ofShape : 0;
         os  << "    " << shape.name() << ": " << group.size() << " objects of "
             << shape.nNodes() << " nodes (" << shape.nBoundaryNodes()
             << " on the boundary), " << size << shape.referenceVolume()
-            << unit << ", mass " << shape.mass() << " kg, "
-            << (group.movesFreely() ? "free" : "prescribed motion")
-            << fraction << ofShape/domain_.size() << nl;
+            << unit << ", mass " << shape.mass() << " kg, ";
+        if (free)
+        {
+            os  << "free" << fraction << ofShape/domain_.size() << nl;
+        }
+        else
+        {
+            // Obstacles may reach beyond the domain
+            os  << "prescribed motion" << nl;
+        }
     }
     os  << "    all: " << objects_.size() << " objects, "
         << objects_.nNodes() << " nodes, "
         << objects_.surfaces().points().size() << " on the boundary"
-        << fraction << sum/domain_.size() << endl;
+        << fraction << sum/domain_.size() << " of the free ones" << endl;
 }
 
 

@@ -2,7 +2,7 @@
 
 #include "advectedLevelSet.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -132,7 +132,7 @@ Foam::fsi::advectedLevelSet::advectedLevelSet
     march_
     (
         bandWidth_*grid.spacing(),
-        dict.lookupOrDefault<label>("order", 2)
+        readBetween(dict, "order", 2, 1, 2)
     ),
     advection_(bandWidth_*grid.spacing()),
     interface_("cubic"),

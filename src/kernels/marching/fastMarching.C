@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fastMarching.H"
-#include "dictionaryCheck.H"
+#include "error.H"
 
 #include <algorithm>
 #include <functional>
@@ -153,27 +153,6 @@ Foam::fsi::fastMarching::fastMarching
         FatalErrorInFunction
             << "The order is " << order << " but must be 1 or 2"
             << exit(FatalError);
-    }
-}
-
-
-Foam::fsi::fastMarching::fastMarching
-(
-    const dictionary& dict,
-    const scalar spacing
-)
-:
-    bandWidth_(readPositive(dict, "bandWidth", 4)*spacing),
-    stencil_(dict.lookupOrDefault<label>("order", 2))
-{
-    checkKeys(dict, {"order", "bandWidth"});
-    const label order = dict.lookupOrDefault<label>("order", 2);
-    if (order != 1 && order != 2)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'order' in dictionary " << dict.name() << " is "
-            << order << " but must be 1 or 2"
-            << exit(FatalIOError);
     }
 }
 

@@ -57,6 +57,26 @@ TEST(VtkXml, base64BeginsWithTheNumberOfBytes)
 }
 
 
+TEST(VtkXml, wordsEndWithZeros)
+{
+    const wordList names({"a", "bc"});
+    std::ostringstream text;
+    vtkXml(text, false).array("names", names);
+    EXPECT_EQ
+    (
+        text.str(),
+        "<Array type='String' Name='names' NumberOfTuples='2'"
+        " format='ascii'>\n"
+        "97 0 98 99 0\n"
+        "</Array>\n"
+    );
+    std::ostringstream binary;
+    vtkXml(binary, true).array("names", names);
+    EXPECT_NE(binary.str().find("\nBQAAAAAAAABhAGJjAA==\n"), std::string::npos)
+        << binary.str();
+}
+
+
 TEST(VtkXml, valuesBeyondSinglePrecisionAreAtItsEnds)
 {
     std::ostringstream os;

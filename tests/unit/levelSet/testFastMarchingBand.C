@@ -208,21 +208,6 @@ TEST(FastMarchingBand, RefusesBadInput)
     EXPECT_THROW(fields.start(thin, surfaces, block), Foam::error);
 }
 
-
-TEST(FastMarchingBand, DictionaryEntriesAreChecked)
-{
-    const auto make = [](const char* text)
-    {
-        IStringStream stream(text);
-        return fastMarching(dictionary(stream), 0.1);
-    };
-    EXPECT_DOUBLE_EQ(make("").bandWidth(), 0.4);
-    EXPECT_DOUBLE_EQ(make("order 1; bandWidth 6;").bandWidth(), 0.6);
-    EXPECT_THROW(make("order 3;"), Foam::IOerror);
-    EXPECT_THROW(make("bandWidth -1;"), Foam::IOerror);
-    EXPECT_THROW(make("bandwidth 4;"), Foam::IOerror);
-}
-
 } // End namespace fsi
 } // End namespace Foam
 
