@@ -117,11 +117,46 @@ def check_total_pressure(report, folder):
                  abs(middle/expected - 1) < 0.03, f"{middle} {expected}")
 
 
+POST = """
+disc { shape { type circle; radius 0.15; } material { density 1; E 100; } }
+post { shape { type circle; radius 0.3; } material { type rigid; density 1; }
+    motion { type fixed; } }
+"""
+PLACES = """
+discs { type listed; shape disc; velocity (1 0 0);
+    objects ({ centre (0.5 0.6 0); }); }
+posts { type listed; shape post; objects ({ centre (1.2 -0.1 0); }); }
+"""
+
+
+def check_obstacle(report, folder):
+    """A fixed post that reaches beyond the domain is neither in the fraction
+    of the area nor in the objects' mean velocity."""
+    case = report.attempt("obstacle", channel, folder, "obstacle", (),
+                          shapes=POST, placements=PLACES, endTime=0.03,
+                          writeInterval=3)
+    if case is None or not report.attempt("obstacle, run", case.run,
+                                          "fsiPisoFoam"):
+        return
+    lines = results.read(case.path, "log.seedObjects").split("\n")
+    post, = (line for line in lines if line.startswith("    post:"))
+    total, = (line for line in lines if line.startswith("    all:"))
+    part = float(total.split("fraction ")[1].split()[0])
+    report.check("the fraction of the area is that of the free objects",
+                 "fraction" not in post
+                 and abs(part/(math.pi*0.15**2/2) - 1) < 0.02, f"{post} {part}")
+    mean = results.table(case.path, "global.csv")[-1]["objectVelocityX"]
+    own = results.table(case.path, "objects.csv")[-2]["velocityX"]
+    report.check("the objects' mean velocity is that of the free ones",
+                 abs(mean/own - 1) < 1e-9, f"{mean} {own}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
     check_uniform(report, folder)
     check_total_pressure(report, folder)
+    check_obstacle(report, folder)
 
 
 if __name__ == "__main__":
