@@ -61,7 +61,7 @@ void Foam::fsi::haloExchange::unpack
     Type* x
 ) const
 {
-    // What a box sends to its low side arrives at the high side of the next
+    // A box sends from its low side to the high side of the next one
     const bool self = layout_.neighbour(d, side) == rank_;
     const List<char>& buffer =
         self ? send_[2*d + 1 - side] : receive_[2*d + side];

@@ -110,7 +110,7 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
         );
     if (!term || term->keepsLevel())
     {
-        // Of the source, and of the rounding errors of A x
+        // Remove the level of the source and of the rounding errors of A x
         matrix_.removeLevel(r_);
     }
     result.initialResidual() = residual/factor;
