@@ -44,7 +44,7 @@ static vector targetVelocity(const dictionary& dict)
 }
 
 
-//- What the objects that move freely have more of momentum than the fluid in
+//- Excess of momentum of the objects that move freely over that of the fluid in
 //  their place, over the fluid's density [m4/s]
 static vector moreMomentum(const population& objects, const scalar density)
 {

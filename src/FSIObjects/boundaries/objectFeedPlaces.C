@@ -10,7 +10,7 @@ Foam::fsi::objectFeed::neighbours() const
 {
     const surfaceSet& surfaces = objects_.surfaces();
 
-    // What can be near an object that starts here
+    // Only objects within this reach can touch one that starts here
     const scalar reach =
         shape_.bounds().mag() + minimumGap_ + 3*grid_.spacing();
     const vector margin(reach, reach, reach);
