@@ -154,7 +154,7 @@ void Foam::fsi::cartesianMesh::setFaceCorners()
             labelVector ijk(round(s.x()), round(s.y()), round(s.z()));
             if (nDims_ == 2)
             {
-                // Of the two mesh points above each other, the lower one
+                // The lower one of two mesh points above each other counts
                 if (s.z()*spacing_ > 0.5*thickness_)
                 {
                     continue;
