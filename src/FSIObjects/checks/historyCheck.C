@@ -42,7 +42,7 @@ struct checkedValue
 
     scalar limit;
 
-    //- Write a line if the limit is passed; 1 then, else 0
+    //- If the limit is passed, write a line and return 1, else return 0
     label write(const scalarField& times, Ostream& os) const
     {
         const label i = worst(values);

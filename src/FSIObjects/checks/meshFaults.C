@@ -19,7 +19,7 @@ static string numbered(const char* what, const label i)
 }
 
 
-//- Of a patch that is to start at a face
+//- Faults of a patch that is to start at a face
 static string ofPatch
 (
     const entry& patch,
@@ -126,7 +126,7 @@ Foam::string Foam::fsi::meshFaults::ofLabels
     }
     forAll(cells, facei)
     {
-        // Of no cell are there more than faces
+        // There are not more cells than faces
         if (cells[facei] < 0 || cells[facei] >= nFaces)
         {
             return numbered("face", facei) + " has no such cell";

@@ -56,7 +56,7 @@ static void refuse(const IOobject& io, const string& fault)
 }
 
 
-//- What is in a file; it names itself in every error
+//- Read a file; every error names it
 template<class FileType>
 static autoPtr<FileType> contentOf(const IOobject& io)
 {
