@@ -173,7 +173,7 @@ Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
     const label lowest = levelOf(limit, maxDeltaT_);
     if (level_ < 0)
     {
-        // Of a flow that starts from rest the Courant number says nothing
+        // The Courant number says nothing of a flow that starts from rest
         const bool first = time_.timeIndex() == 0;
         level_ =
             first
