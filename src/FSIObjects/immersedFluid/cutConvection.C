@@ -92,7 +92,7 @@ void Foam::fsi::cutConvection::setCells
     }
     for (const fvsPatchScalarField& pf : flux.boundaryField())
     {
-        // What leaves the domain is not lost to objects
+        // Momentum that leaves the domain is not lost to objects
         const labelUList& cells = pf.patch().faceCells();
         for (label i = 0; i < pf.size() && pf.coupled(); ++i)
         {

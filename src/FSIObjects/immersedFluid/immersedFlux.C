@@ -138,8 +138,8 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
     const scalar area = geometry_.grid().faceArea();
     const meansAtFaces fading(U.mesh(), fadingInStep(U, viscosity));
 
-    // What a cut face adds does not fade in its step: it hardly may later on,
-    // or the result depends on the step by first order
+    // The part that a cut face adds does not fade in its step: it hardly may
+    // later on, or the result depends on the step by first order
     const scalar ofCut = rule_.secondOrder() ? cutFading : 1;
     const auto fadingOf = [&](const scalar fluidFace, const scalar value)
     {

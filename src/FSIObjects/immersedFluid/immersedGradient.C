@@ -61,7 +61,7 @@ void Foam::fsi::immersedGradient::extendGradient(volVectorField& gradient) const
     const boolList& active = geometry_.activeCell();
     const UList<wallLink>& links = geometry_.wallLinks();
 
-    // Those that are not active have none
+    // Inactive cells have no gradient
     forAll(fluid, celli)
     {
         if (active[celli] && !fluid[celli])
