@@ -72,7 +72,7 @@ void Foam::fsi::partlyOpenFaces::add
     const scalar open = open_.openness()[w.face];
     const bool internal = w.face < nInternal;
 
-    // Of an open face both cells are active; the lower number is the owner
+    // Both cells of an open face are active; the lower number is the owner
     const label own = internal ? min(w.lower, w.upper) : max(w.lower, w.upper);
     const label nei = internal ? max(w.lower, w.upper) : -1;
     const bool fluid =

@@ -124,7 +124,7 @@ Foam::labelList Foam::fsi::thinFilms::halfClosedCells
         }
     }
 
-    // Of twice as many sides as there are dimensions
+    // At least half of the sides of a cell in a film are closed
     DynamicList<label> found;
     for (const label celli : touched)
     {
