@@ -12,7 +12,7 @@ namespace Foam
 namespace fsi
 {
 
-//- In single precision; what is beyond its range is at its end
+//- Convert to single precision; clamp values outside its range
 static float single(const scalar value)
 {
     typedef std::numeric_limits<float> range;
@@ -96,7 +96,7 @@ void Foam::fsi::vtkXml::writeBase64
             text += digits[(bits >> shift) & 63];
         }
     }
-    // What was only put there to make threes
+    // Characters that only fill up the last three bytes are shown as =
     std::fill(text.end() - (all.size() - n), text.end(), '=');
     os_ << text << '\n';
 }
