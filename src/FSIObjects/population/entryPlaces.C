@@ -100,7 +100,7 @@ void Foam::fsi::entryPlaces::readDigits()
     }
     const char bracket = next < text_.size() ? text_[next] : ' ';
 
-    // Of equal values there may be more than bytes
+    // A list of equal values may have more of them than bytes
     const std::size_t limit =
         negative ? 0
       : bracket == '(' ? text_.size()

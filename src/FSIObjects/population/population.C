@@ -133,8 +133,8 @@ void Foam::fsi::population::wrap(const periodicImages& images)
 {
     forAll(groups(), groupi)
     {
-        // What is fixed is where it was put, and may reach out on both sides;
-        // a step of second order ends where it started from
+        // Bodies that are fixed stay where they were put, and may reach out on
+        // both sides; a step of second order ends where it started from
         if (groups_.stays(groupi) || groups()[groupi].secondOrder())
         {
             continue;
