@@ -11,7 +11,7 @@ namespace Foam
 namespace fsi
 {
 
-//- What to ask about a body whose size is absurd
+//- Question that is added where the size of a body is absurd
 static const char* unitsHint(const bool absurd)
 {
     return

@@ -62,7 +62,7 @@ void Foam::fsi::latticePlacement::readLattice(const packing& space)
         }
         else
         {
-            // Of a length that is a whole number of spacings nothing is lost
+            // A whole number of spacings must not lose one to rounding
             counts_[d] = label(span[d]/spacing_[d]*(1 + SMALL) + SMALL);
         }
         if (counts_[d] < 1)

@@ -18,7 +18,7 @@ static const char* unitOf(const direction nDims)
 }
 
 
-//- Those keys and `region`
+//- The keys that are given, and `region`
 static wordList withRegion(const wordList& ownKeys)
 {
     wordList keys(ownKeys);
