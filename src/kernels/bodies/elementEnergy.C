@@ -62,7 +62,7 @@ static scalar volumeEnergy
 }
 
 
-//- The same for the shear of neo-Hookean bodies
+//- Energy of the shear of neo-Hookean bodies
 template<int nDims>
 static scalar shearEnergy
 (
