@@ -17,7 +17,7 @@ void Foam::fsi::surfaceCurvature::updatePlane(const surfaceSet& surfaces)
         before[f[1]] = behind[f[0]];
     }
 
-    // Of the circle through a node and its neighbours
+    // Curvature of the circle through a node and its neighbours
     scalarField curvature(x.size());
     forAll(curvature, i)
     {

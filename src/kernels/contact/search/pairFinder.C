@@ -38,7 +38,7 @@ void Foam::fsi::pairFinder::find
     search_->setReaches(reachesOfAll);
     search_->find(all, walls, medialAxis, range, found);
 
-    // What images' nodes find their originals find with other images. Between
+    // Originals find with other images all that images' nodes find. Between
     // walls and objects that are moved as prescribed nothing can act
     label n = 0;
     for (const contactPair& pair : found.pairs)
