@@ -10,7 +10,7 @@
 
 int Foam::fsi::thrownErrors::depth_ = 0;
 
-//- What operator new calls outside errorOf: OpenFOAM's aborts
+//- Handler that operator new calls outside errorOf: OpenFOAM's, which aborts
 static std::new_handler handlerBefore = nullptr;
 
 
