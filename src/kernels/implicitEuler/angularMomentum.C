@@ -164,7 +164,7 @@ static Eigen::Matrix3d turnFor(Eigen::Matrix3d N, const Eigen::Vector3d& t)
 }
 
 
-//- The same for all lanes
+//- Turn all lanes
 template<int lanes>
 static void turnsFor
 (
