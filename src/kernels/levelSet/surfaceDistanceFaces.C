@@ -99,7 +99,7 @@ void Foam::fsi::surfaceDistance::addSegments
         endsAt_[f[1] - firstNode] = i;
     }
 
-    // Of the two faces at a node the first one has what lies beyond both
+    // The first one of the two faces at a node has the samples beyond both
     const auto turn = [&](const label i, const label other)
     {
         return

@@ -9,7 +9,7 @@ namespace Foam
 namespace fsi
 {
 
-//- What is added for round-off, over the width
+//- Margin that is added for round-off, over the width
 static const scalar margin = 1e-3;
 
 } // End namespace fsi
@@ -116,7 +116,7 @@ void Foam::fsi::triangleReach::addSides
         const vector leaving(perLength*(along ^ normal));
         const vector e(corners[edge] - a_);
 
-        // Of the third node, over the width
+        // Height of the third node above the edge, over the width
         const label other = (edge + 2) % 3;
         FixedList<scalar, 3> heights(0.0);
         heights[other] = (leaving & (corners[edge] - corners[other]))/width;
