@@ -8,7 +8,7 @@
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- What mostly helps where a membrane breaks
+//- Advice that mostly helps where a membrane breaks
 static const char* const advice =
     "\nTake a smaller deltaT or maxCo, a larger range of contact, selfContact"
     " yes,\nor a filling of more than a tenth of the fluid's viscosity";

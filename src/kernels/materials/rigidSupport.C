@@ -62,7 +62,7 @@ Foam::labelList Foam::fsi::rigidSupport(const shapeMesh& mesh)
     }
     if (nDims == 3)
     {
-        // What is left turns the body about d
+        // The last unknown keeps the body from turning about d
         const label third = farthest(mesh.points, d);
         const vector turn = d ^ (mesh.points[third] - mesh.points[0]);
         unknowns.append(3*third + largestComponent(turn));
