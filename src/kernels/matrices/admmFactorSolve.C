@@ -48,7 +48,7 @@ FSI_INLINE void multiplyWidth
 }
 
 
-//- The same for 2, 4, 8, 16 or 32 columns
+//- Multiply rows of 2, 4, 8, 16 or 32 columns
 FSI_AVX2_CLONES
 void multiplyRows
 (
@@ -69,7 +69,7 @@ void multiplyRows
 }
 
 
-//- The same for any number of columns of a matrix
+//- Multiply any number of columns of a matrix
 static void multiplyColumns
 (
     const Eigen::SparseMatrix<double>& matrix,
