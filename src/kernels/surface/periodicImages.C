@@ -143,7 +143,7 @@ const Foam::fsi::surfaceSet& Foam::fsi::periodicImages::update
         return surfaces;
     }
 
-    // What images must come near to: the domain and all that sticks out
+    // Images must come near to the domain or to what sticks out of it
     const vector margin(distance, distance, distance);
     boundBox box(domain_);
     List<boundBox> bounds(surfaces.size());

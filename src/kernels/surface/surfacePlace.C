@@ -87,7 +87,7 @@ Foam::fsi::surfacePlace Foam::fsi::nearestPlace
     surfacePlace place;
     place.face = nearest.face;
     place.weights = nearest.weights;
-    // What is found on an image belongs to its original
+    // A place that is found on an image belongs to its original
     found = place.face;
     place.nodes = surfaces.faces()[place.face];
     for (label& nodei : place.nodes)
