@@ -58,7 +58,7 @@ static void addForceOfCopy
 }
 
 
-//- The same for a range
+//- Add the forces of a range of elements
 template<int nDims>
 static void addForces
 (
