@@ -78,7 +78,7 @@ Foam::dictionary Foam::fsi::boxMesh::outerPatch
         dict.add("neighbourPatch", sideName(dir, 1 - side));
         dict.add("transform", word("translational"));
         dict.add("separationVector", separation);
-        // The same to the Foundation, whose sign is the other one
+        // The Foundation's separation has the other sign
         dict.add("transformType", word("translational"));
         dict.add("separation", vector(-separation));
     }

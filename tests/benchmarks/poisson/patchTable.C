@@ -12,7 +12,7 @@ namespace
 using namespace Foam;
 using namespace Foam::fsi;
 
-//- What is given at the two sides of a direction
+//- Kinds of conditions at the two sides of a direction
 const char* const kinds[] = {"gradient", "mixed", "value", "cyclic"};
 
 //- Kinds of all directions in rising order: the others are rotations

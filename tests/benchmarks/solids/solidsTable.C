@@ -65,7 +65,7 @@ Eigen::MatrixXd load(const bodyGroup& group)
 }
 
 
-//- What a run found
+//- Result of a run
 struct outcome
 {
     Eigen::MatrixXd positions;

@@ -89,6 +89,13 @@ OFFENCES = [
     ("line of 81 columns",
      {"src/kernels/low/low.C": SPDX + "x"*81 + "\n"},
      "src/kernels/low/low.C:2:", ["81 columns"]),
+    ("comment that leans on the one before",
+     {"src/kernels/low/low.C":
+          SPDX + "//- Radius\nint a;\n//- The same of\n//  b\nint b;\n"},
+     "src/kernels/low/low.C:4:", ["'The same'", "say of what"]),
+    ("comment without a subject",
+     {"src/kernels/low/low.C": SPDX + "int a;\n\n    // Of a disc\n"},
+     "src/kernels/low/low.C:4:", ["'Of a'"]),
     ("tab", {"src/kernels/low/low.C": SPDX + "x\ty\n"},
      "src/kernels/low/low.C:2:", ["tab"]),
     ("trailing blank", {"src/kernels/low/low.C": SPDX + "x \n"},

@@ -37,7 +37,7 @@ surfaceSet disc(const point& centre)
 }
 
 
-//- What a disc does to the mesh
+//- Traces of a disc in the mesh
 struct wallSums
 {
     label nFaces = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What flows through the open parts of cut cells' faces and what their walls
-// push must add up to nothing where the velocity is free of divergence and
-// linear next to the wall, whatever the way the wall cuts the cells: (4.13),
-// (5.2). Cells of size 1
+// The flow through the open parts of cut cells' faces and the flow that their
+// walls push must add up to nothing where the velocity is free of divergence
+// and linear next to the wall, whatever the way the wall cuts the cells:
+// (4.13), (5.2). Cells of size 1
 
 #include <gtest/gtest.h>
 

@@ -66,7 +66,7 @@ TEST(passAcceleration, withoutMemoryIsTheBareIteration)
 
 TEST(passAcceleration, standsPassesThatRepeat)
 {
-    // The same start and change again tell nothing new
+    // A start and a change that come again tell nothing new
     passAcceleration acceleration(5);
     const scalarField x(4, 1.0);
     const scalarField f(4, 0.5);

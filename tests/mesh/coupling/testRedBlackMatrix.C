@@ -217,7 +217,7 @@ TEST(redBlackMatrix, firstSweepStartsFromZero)
     correctOften(matrix);
     matrix.startFromZero(source);
 
-    // The same with a sweep of another matrix, with walls and cells at rest
+    // Another matrix, with walls and cells at rest, is swept as well
     const tmp<fvVectorMatrix> atRest(momentum(rest, source));
     redBlackMatrix other(grid);
     other.set(atRest());
@@ -255,7 +255,7 @@ TEST(redBlackMatrix, residualBelongsToTheValuesMet)
     EXPECT_LT(matrix.sweep(1), matrix.dropAtOnce()*first);
     matrix.addCorrection();
 
-    // What was solved in single precision is the solution's to double
+    // The solution in single precision is the solution's to double
     correctOften(matrix);
     matrix.startCorrection(matrix.sourceNorm());
     EXPECT_LT(matrix.sweep(1), 1e-14);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What resists the shortest wave of a surface in the wall links and in the
-// friction (5.17), (5.25), over what Stokes flow does. Cells of size 1
+// The resistance to the shortest wave of a surface in the wall links and in the
+// friction (5.17), (5.25), over that of Stokes flow. Cells of size 1
 
 #include <gtest/gtest.h>
 

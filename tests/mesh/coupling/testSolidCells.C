@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What cells inside objects are to the momentum equation and to the gradient
-// of the pressure, beside the plain way to have it, cell by cell
+// Cells inside objects in the momentum equation and in the gradient of the
+// pressure are compared with the plain way to have them, cell by cell
 
 #include <gtest/gtest.h>
 

@@ -66,7 +66,7 @@ struct movedBodies
 };
 
 
-//- The same of discs that rotate and strain
+//- Discs that rotate and strain
 struct movedDiscs
 :
     movedBodies

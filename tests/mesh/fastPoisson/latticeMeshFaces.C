@@ -103,7 +103,7 @@ void Foam::fsi::latticeMesh::makeOuterPatches()
                 );
                 outer.dict.add("transform", word("translational"));
                 outer.dict.add("separationVector", separation);
-                // The same to the Foundation, whose sign is the other one
+                // The Foundation's separation has the other sign
                 outer.dict.add("transformType", word("translational"));
                 outer.dict.add("separation", vector(-separation));
             }
@@ -136,7 +136,7 @@ void Foam::fsi::latticeMesh::makeSharedPatches(const label other)
     };
     addRanks(patch(name, "processor"));
 
-    // What is the low side for one rank is the high side for the other
+    // The low side for one rank is the high side for the other
     const label first = other < Pstream::myProcNo() ? 1 : 0;
     for (direction d = 0; d < 3; ++d)
     {
@@ -164,7 +164,7 @@ void Foam::fsi::latticeMesh::addSharedFace
     const label other
 )
 {
-    // The same key on both ranks: the cell on the low side of the face
+    // Both ranks have one key: the cell on the low side of the face
     labelVector low(ijk);
     low[d] = (low[d] - 1 + side + options_.n[d]) % options_.n[d];
     const label key = 3*place(low) + d;

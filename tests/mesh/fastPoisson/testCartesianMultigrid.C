@@ -14,7 +14,7 @@ using namespace Foam::fsi;
 namespace
 {
 
-//- What must hold for conjugate gradients
+//- Check the symmetry that conjugate gradients need
 void checkSymmetry
 (
     latticeMesh& mesh,

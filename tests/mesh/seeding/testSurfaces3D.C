@@ -164,7 +164,7 @@ TEST(Packing, findsInSpaceWhatACompleteSearchFinds)
 
 TEST(Rotations, randomOnesAreEvenAmongAll)
 {
-    // Of an even distribution the mean of R is 0, and that of R_ij^2 is 1/3
+    // An even distribution has the mean 0 of R and 1/3 of R_ij^2
     fsi::randomNumbers random(1);
     const label n = 20000;
     tensor mean(Zero), meanSqr(Zero);

@@ -73,7 +73,7 @@ public:
         group.begin(0, dt, r);
         group.prepareResponse(tau);
 
-        // Of the place alone, and of every node its own
+        // The force depends on the place alone, and each node has its own
         const Eigen::MatrixXd force(-strength*group.positions());
         Eigen::MatrixXd v;
         group.predict(0, tau, force, v);

@@ -19,7 +19,7 @@ contact contactOf(const std::string& text)
 }
 
 
-//- What happens between two discs that meet
+//- Outcome of the collision of two discs
 struct collision
 {
     scalar energyRatio = 0, gap = GREAT;

@@ -15,7 +15,7 @@ contact contactOf(const std::string& text)
 }
 
 
-//- What happens between bodies that meet
+//- Outcome of the collision of two bodies
 struct meeting
 {
     scalar energyRatio = 0, gap = GREAT;

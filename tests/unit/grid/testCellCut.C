@@ -11,7 +11,7 @@ namespace Foam
 namespace fsi
 {
 
-//- The same by the middles of n^nDims parts of the cell
+//- Count the middles of n^nDims parts of the cell
 static scalar countedPart
 (
     const vector& normal,

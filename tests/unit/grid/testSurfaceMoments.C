@@ -24,7 +24,7 @@ TEST(SurfaceMoments, ofABoxAreExact)
     EXPECT_NEAR(surfaces.volume(0), V, 1e-13);
     EXPECT_LT(mag(m.moments() - expected), 1e-12*V);
 
-    // Of an ellipsoid V a^2/5
+    // An ellipsoid has V a^2/5
     EXPECT_LT
     (
         mag(m.halfLengths() - vector(3, 2, 1)/Foam::sqrt(2.0)), 1e-12

@@ -69,7 +69,7 @@ TEST(MedialAxis, NothingBeyondTheContactDistance)
     axis.update(surfaces, block);
     EXPECT_TRUE(axis.points().empty());
 
-    // The same discs, a larger contact distance
+    // A larger contact distance finds more
     medialAxis wider(5*h, h);
     wider.update(surfaces, block);
     EXPECT_GT(wider.points().size(), 0);

@@ -109,7 +109,7 @@ TEST(SurfaceDistance, ResultsDoNotDependOnTheBlockBitwise)
 }
 
 
-// What an object leaves behind is as if it had never been there
+// An object leaves nothing behind: it is as if it had never been there
 TEST(SurfaceDistance, MovingObjectsLeaveNothingBehind)
 {
     for (const direction nDims : {2, 3})

@@ -82,7 +82,7 @@ static Eigen::SparseMatrix<double> ringMatrix(const label n)
 }
 
 
-//- What is added to the matrix of a lane at nodes 2 and 5
+//- Value that is added to the matrix of a lane at nodes 2 and 5
 static scalar added(const label lane)
 {
     return 0.3 + 0.2*lane;
@@ -195,7 +195,7 @@ TEST(lanes, multiplyAnyNumberOfColumns)
         const Eigen::MatrixXd result(factor.multiply(x));
         ASSERT_EQ(result.cols(), nColumns);
 
-        // The same to the last bit whatever registers are used
+        // The result is equal to the last bit whatever registers are used
         for (label column = 0; column < nColumns; ++column)
         {
             for (label i = 0; i < n; ++i)

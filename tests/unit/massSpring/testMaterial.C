@@ -119,7 +119,7 @@ TEST(material, neoHookeanForceIsTheGradientOfTheEnergy)
 
 TEST(material, uncalibratedDiscIsSofter)
 {
-    // What the calibration is for: Voigt's value is an upper bound
+    // The calibration is for this: Voigt's value is an upper bound
     auto shape = disc(noArea, "", 0.0117);
     const scalar stress = 1e-3*E;
     const scalar Ex = stress/strainUnder(*shape, stress, 0, 0)[0];

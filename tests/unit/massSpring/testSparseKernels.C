@@ -70,7 +70,7 @@ Eigen::MatrixXd elementForces
 }
 
 
-//- The same by the matrix, its rows in reverse
+//- Forces by the matrix, its rows in reverse
 template<int nDims, bool shear>
 Eigen::MatrixXd matrixForces
 (

@@ -20,7 +20,7 @@ const string rubber
 );
 
 
-//- What write() gives
+//- Text that write() gives
 template<class Type>
 string written(const Type& object, const format fmt)
 {
