@@ -93,6 +93,10 @@ OFFENCES = [
      {"src/kernels/low/low.C":
           SPDX + "//- Radius\nint a;\n//- The same of\n//  b\nint b;\n"},
      "src/kernels/low/low.C:4:", ["'The same'", "say of what"]),
+    ("description without a subject",
+     {"src/kernels/low/low.C":
+          SPDX + "/*\nDescription\n    What is low\n*/\nint a;\n"},
+     "src/kernels/low/low.C:4:", ["'What is'"]),
     ("comment without a subject",
      {"src/kernels/low/low.C": SPDX + "int a;\n\n    // Of a disc\n"},
      "src/kernels/low/low.C:4:", ["'Of a'"]),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /*---------------------------------------------------------------------------*\
 Description
-    What an elastic body's iteration does with sparse matrices: solutions with
+    Work of an elastic body's iteration on sparse matrices: solutions with
     a factor in blocks, and forces of shear.
 
 \*---------------------------------------------------------------------------*/
