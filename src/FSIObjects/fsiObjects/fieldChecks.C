@@ -108,7 +108,7 @@ static void checkControls(const fvMesh& mesh, const word& field)
             << " has no dictionary '" << field << "'" << exit(FatalIOError);
     }
     const dictionary& controls = solverControls(mesh, field);
-    for (const word& key : {"tolerance", "relTol"})
+    for (const word key : {"tolerance", "relTol"})
     {
         const scalar value = controls.lookupOrDefault<scalar>(key, 0);
         if (!(value >= 0 && value < 1))

@@ -6,6 +6,7 @@
 #include "newCells.H"
 #include "objectContact.H"
 #include "openfoamVersion.H"
+#include "projectVersion.H"
 #include "restartFiles.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
@@ -106,7 +107,8 @@ Foam::fsi::fsiObjects::fsiObjects
     )
 {
     restartFiles::check(mesh);
-    Info<< "FSIObjects: " << system_.objects.size() << " objects, "
+    Info<< "FSIObjects " << projectVersion << ": "
+        << system_.objects.size() << " objects, "
         << system_.objects.nNodes() << " nodes, coupling "
         << coupling_->type() << ", wall " << system_.wall->type()
         << ", level set " << system_.levelSet->type() << nl << endl;

@@ -3,10 +3,10 @@
 #include "medialAxisSearch.H"
 #include "addToRunTimeSelectionTable.H"
 #include "openfoamVersion.H"
+#include "pointTree.H"
 #include "Switch.H"
 
 #include <algorithm>
-#include <nanoflann.hpp>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -16,37 +16,6 @@ namespace fsi
 {
     defineTypeNameAndDebug(medialAxisSearch, 0);
     addToRunTimeSelectionTable(contactSearch, medialAxisSearch, dictionary);
-
-    //- The nodes as nanoflann reads them
-    struct treeNodes
-    {
-        const pointField& points;
-        const UList<label>& nodes;
-
-        size_t kdtree_get_point_count() const
-        {
-            return nodes.size();
-        }
-
-        scalar kdtree_get_pt(const size_t i, const size_t direction) const
-        {
-            return points[nodes[i]][direction];
-        }
-
-        template<class Box>
-        bool kdtree_get_bbox(Box&) const
-        {
-            return false;
-        }
-    };
-
-    typedef nanoflann::KDTreeSingleIndexAdaptor
-    <
-        nanoflann::L2_Simple_Adaptor<scalar, treeNodes>,
-        treeNodes,
-        -1,
-        unsigned
-    > nodeTree;
 
     //- Sort and keep one of each
     template<class Type>
@@ -185,27 +154,27 @@ void Foam::fsi::medialAxisSearch::find
 
     if (involved_.size())
     {
-        const treeNodes nodes{surfaces.points(), involved_};
-        nodeTree tree(surfaces.nDims(), nodes);
-        tree.buildIndex();
-
-        std::vector<std::pair<unsigned, scalar>> hits;
-        const nanoflann::SearchParams unsorted(32, 0, false);
+        const pointField nodes(surfaces.points(), involved_);
+        const pointTree<-1> tree(nodes, surfaces.nDims());
         for (const medialAxisPoint& p : medialAxis)
         {
             near_[0].clear();
             near_[1].clear();
-            tree.radiusSearch(&p.position[0], sqr(range), hits, unsorted);
-            for (const auto& hit : hits)
-            {
-                const label nodei = involved_[hit.first];
-                const label side =
-                    indexOf(p.object, surfaces.pointObject()[nodei]);
-                if (side >= 0)
+            tree.near
+            (
+                p.position,
+                range,
+                [&](const label i)
                 {
-                    near_[side].append(nodei);
+                    const label nodei = involved_[i];
+                    const label side =
+                        indexOf(p.object, surfaces.pointObject()[nodei]);
+                    if (side >= 0)
+                    {
+                        near_[side].append(nodei);
+                    }
                 }
-            }
+            );
             combine(found.nodePairs);
         }
     }

@@ -15,6 +15,7 @@ import fsiCase
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../..")
 DOCUMENTS = ("README.md", "CONTRIBUTING.md", "doc/dataFlow.md",
+             "doc/extending.md",
              "doc/theory.md", "doc/performance.md", "doc/userGuide.md",
              "doc/validation.md", "doc/entries.md", "doc/choices.md")
 
@@ -197,6 +198,19 @@ def check_messages(report):
     report.check("the guide has every warning", not missing, missing)
 
 
+def check_version(report):
+    """The version of debian/changelog, which the program prints, is the first
+    of CHANGELOG.md and that of CITATION.cff, with one date."""
+    version = re.match(r"fsiobjects \((.*?)\)", read("debian/changelog"))[1]
+    head = re.search(r"^## (.*), (.*)$", read("CHANGELOG.md"), re.M)
+    citation = read("CITATION.cff")
+    found = [head[1], re.search(r"^version: (.*)$", citation, re.M)[1]]
+    report.check("documents name the version of debian/changelog",
+                 found == [version]*2, [version] + found)
+    report.check("CITATION.cff has the date of CHANGELOG.md",
+                 f"\ndate-released: {head[2]}\n" in citation, head[2])
+
+
 def main():
     report = fsiCase.Report()
     check_entries(report)
@@ -205,6 +219,7 @@ def main():
     check_messages(report)
     check_calls(report)
     check_revisions(report)
+    check_version(report)
     known = all_files()
     for path in DOCUMENTS:
         if existing(path):

@@ -5,6 +5,7 @@
 #include "nullBox.H"
 
 #include <algorithm>
+#include <vector>
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -71,7 +72,7 @@ void Foam::fsi::faceOrder::sortFaces(const pointField& centres)
 
 void Foam::fsi::faceOrder::sortNodes(const label nNodes)
 {
-    boolList taken(nNodes, false);
+    std::vector<bool> taken(nNodes, false);
     nodes_.clear();
     nodeStart_ = labelList(1, Zero);
     for (label group = 0; group < nGroups(); ++group)

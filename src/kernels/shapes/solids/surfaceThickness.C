@@ -3,11 +3,9 @@
 #include "surfaceThickness.H"
 #include "boundBox.H"
 #include "surfaceTools.H"
+#include "surfaceTree.H"
 #include "unitConversion.H"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <map>
@@ -31,9 +29,11 @@ static const label nSamples = 10000;
 
 typedef CGAL::Simple_cartesian<double> kernel;
 typedef std::vector<kernel::Triangle_3> triangleList;
-typedef CGAL::AABB_triangle_primitive<kernel, triangleList::const_iterator>
-    primitive;
-typedef CGAL::AABB_tree<CGAL::AABB_traits<kernel, primitive>> searchTree;
+typedef CGAL::AABB_triangle_primitive_3
+<
+    kernel, triangleList::const_iterator
+> primitive;
+typedef CGAL::AABB_tree<CGAL::AABB_traits_3<kernel, primitive>> searchTree;
 
 static kernel::Point_3 toCgal(const point& p)
 {
@@ -99,7 +99,7 @@ scalar thicknessSearch::across
     const label otherFacei
 ) const
 {
-    const auto met = tree_.first_intersection
+    const auto met = tree_.first_intersected_primitive
     (
         kernel::Ray_3
         (
@@ -111,20 +111,18 @@ scalar thicknessSearch::across
             return found == facei || found == otherFacei;
         }
     );
-    const kernel::Point_3* place =
-        met ? boost::get<kernel::Point_3>(&met->first) : nullptr;
-    if (!place)
+    if (!met)
     {
         return GREAT;
     }
-    const vector n(normal(surface_, met->second - triangles_.begin()));
-    const scalar distance =
-        mag(point(place->x(), place->y(), place->z()) - from);
-    return
-        otherFacei >= 0
-     || (along & n) > std::cos(cornerAngle)*mag(along)*mag(n)
-      ? distance
-      : GREAT;
+    const label metFacei = *met - triangles_.begin();
+    const vector n(normal(surface_, metFacei));
+    const scalar slope = along & n;
+    const bool faces =
+        otherFacei >= 0 ? slope != 0
+      : slope > std::cos(cornerAngle)*mag(along)*mag(n);
+    const point& corner = surface_.points[surface_.faces[metFacei][0]];
+    return faces ? mag(along)*mag(((corner - from) & n)/slope) : GREAT;
 }
 
 } // End anonymous namespace

@@ -4,11 +4,11 @@
 #include "boundBox.H"
 #include "DynamicList.H"
 #include "noTraps.H"
+#include "surfaceTree.H"
 #include "unitConversion.H"
 
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // in Boost
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
@@ -48,7 +48,7 @@ typedef CGAL::Mesh_criteria_3<triangulation> meshCriteria;
 typedef triangulation::Vertex_handle vertex;
 
 typedef CGAL::AABB_face_graph_triangle_primitive<polyhedron> primitive;
-typedef CGAL::AABB_tree<CGAL::AABB_traits<kernel, primitive>> searchTree;
+typedef CGAL::AABB_tree<CGAL::AABB_traits_3<kernel, primitive>> searchTree;
 
 //- Circumradii, distance of the surface and angle that give edges of unit
 //  mean length
