@@ -21,6 +21,7 @@ RANKS = (
     "src/fastPoisson/lattice/",
     "src/FSIObjects/cartesianMesh/",
     "src/compatibility/openfoamCase.H",
+    "src/compatibility/openfoamRanks.H",
     "src/FSIObjects/output/",
     "src/FSIObjects/population/bodyGroups.C",
     "src/FSIObjects/population/sharedPrediction.C",

@@ -2,8 +2,8 @@
 
 #include "sharedPrediction.H"
 #include "admmSolver.H"
+#include "openfoamRanks.H"
 #include "openfoamVersion.H"
-#include "Pstream.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -13,6 +13,7 @@ namespace
 using namespace Foam;
 using Foam::fsi::admmSolver;
 using Foam::fsi::bodyGroup;
+using Foam::fsi::shareOverRanks;
 
 //- First copy of each group and rank, and the end: [group][rank]. None for
 //  groups that are not divisible
@@ -108,8 +109,7 @@ void exchange
         }
     );
     values[Pstream::myProcNo()] = mine;
-    Pstream::gatherList(values);
-    Pstream::scatterList(values);
+    shareOverRanks(values);
     forAll(values, ranki)
     {
         const scalar* next = values[ranki].cdata();

@@ -2,8 +2,8 @@
 
 #include "blockPartition.H"
 #include "latticeRanks.H"
+#include "openfoamRanks.H"
 #include "openfoamVersion.H"
-#include "Pstream.H"
 #include "boundBox.H"
 #include <algorithm>
 #include "DynamicList.H"
@@ -110,8 +110,7 @@ bool Foam::fsi::blockPartition::takeBoxes
         mine[2*d] = low;
         mine[2*d + 1] = high;
     }
-    Pstream::gatherList(boxes, UPstream::msgType(), comm);
-    Pstream::scatterList(boxes, UPstream::msgType(), comm);
+    shareOverRanks(boxes, comm);
 
     setCuts(boxes, map.n(), step);
     return
