@@ -3,7 +3,11 @@
 
 circles     No circle of folders: a folder that includes a header of another
             one, over however many steps, is not included by it.
-ranks       Only the files below know of messages between ranks (Pstream).
+ranks       Only the files below know of messages between ranks (Pstream, or
+            OpenFOAM's functions that all ranks must call).
+collectives A call that all ranks must make stands in no loop and no branch over
+            something of which each rank has its own number: patches, cells,
+            faces. What this does not see collectiveCalls finds in a run.
 sizes       A class, its header and its sources together, has at most 600
             lines.
 
@@ -24,11 +28,21 @@ RANKS = (
     "src/compatibility/openfoamRanks.H",
     "src/FSIObjects/output/",
     "src/FSIObjects/population/bodyGroups.C",
-    "src/FSIObjects/population/sharedPrediction.C",
 )
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')
-MESSAGES = re.compile(r"\b(?:U|I|O|UI|UO|UIO)?Pstream\w*")
+MESSAGES = re.compile(
+    r"\b(?:(?:U|I|O|UI|UO|UIO)?Pstream\w*"
+    r"|syncTools\b|(?:reduce|returnReduce\w*|g(?:Sum|Max|Min|Average)\w*)"
+    r"(?=\s*\())")
+
+# What all ranks must call, and what they have different numbers of
+COLLECTIVE = re.compile(
+    r"\b(?:\w*[oO]verRanks|swapCoupled\w+|syncCoupledFaces|fillFromNeighbours"
+    r"|correctBoundaryConditions)\s*\(")
+LOCAL = re.compile(
+    r"\b(?:patch(?:es|i)?|boundary(?:Field|FieldRef|Mesh)?|n?[cC]ells|celli"
+    r"|n?[fF]aces|facei|nInternalFaces)\b")
 
 
 def sources_of(texts):
@@ -119,6 +133,43 @@ def ranks(texts):
                 break
 
 
+def heads(text):
+    """Yields (position, heads of the loops and branches around it) of each
+    collective call in a C++ text without comments."""
+    calls = {match.start() for match in COLLECTIVE.finditer(text)}
+    stack, start, depth = [], 0, 0
+    for place, char in enumerate(text):
+        if char in "()":
+            depth += 1 if char == "(" else -1
+        elif char == "{":
+            stack.append((text[start:place], depth))
+            start, depth = place + 1, 0
+        elif char == "}" and stack:
+            depth = stack.pop()[1]
+            start = place + 1
+        elif char == ";" and depth == 0:
+            start = place + 1
+        if place in calls:
+            yield place, [head for head, _ in stack
+                          if re.match(r"\s*(?:for|forAll|while|if|else)\b",
+                                      head)]
+
+
+def collectives(texts):
+    """No collective call in a loop or branch that may differ on ranks."""
+    for path, text in sorted(sources_of(texts).items()):
+        text = without_comments(text)
+        for place, around in heads(text):
+            for head in around:
+                local = LOCAL.search(head)
+                if local:
+                    yield path, text.count("\n", 0, place) + 1, (
+                        "a call that all ranks must make, in a loop or branch "
+                        f"over what each rank has its own number of: "
+                        f"{local.group()}")
+                    break
+
+
 def files_of_class(texts, header):
     """A header, what belongs to its name, and what its SourceFiles list."""
     base = header[:-2]
@@ -149,5 +200,5 @@ def sizes(texts):
 
 def check(texts):
     """All of them."""
-    for rule in (circles, ranks, sizes):
+    for rule in (circles, ranks, collectives, sizes):
         yield from rule(texts)

@@ -3,6 +3,7 @@
 
 import csv
 import glob
+import math
 import os
 import re
 
@@ -83,6 +84,21 @@ def state(case, time, rank=""):
                        for i in range(n_dims*copy, n_dims*(copy + 1)))
             objects[number] = (shape, list(zip(*columns)), n_boundary)
     return objects
+
+
+def difference(case, other, ranks=("", "")):
+    """Largest distance of nodes at the last times of two cases, over an
+    object's size; ranks: folders processorN of them."""
+    one, two = (state(c, times(os.path.join(c, r))[-1], r)
+                for c, r in zip((case, other), ranks))
+    if sorted(one) != sorted(two):
+        raise ValueError(f"objects {sorted(two)}, not {sorted(one)}")
+    worst = 0
+    for number, (_, nodes, _) in one.items():
+        size = max(max(c) - min(c) for c in zip(*nodes))
+        worst = max(worst, *(math.dist(a, b)/size for a, b
+                             in zip(nodes, two[number][1])))
+    return worst
 
 
 def outlines(case, time, rank=""):

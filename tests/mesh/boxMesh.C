@@ -184,14 +184,15 @@ Foam::fsi::boxMesh::boxMesh
     casePath_(makeCase())
 {
     const direction split = layout_.splitDirection;
-    if (n[split] % Pstream::nProcs())
+    if (n[split] < Pstream::nProcs())
     {
         FatalErrorInFunction
-            << n[split] << " cells cannot be shared equally by "
+            << n[split] << " cells cannot be shared by "
             << Pstream::nProcs() << " ranks" << exit(FatalError);
     }
-    n_[split] /= Pstream::nProcs();
-    start_[split] = n_[split]*Pstream::myProcNo();
+    const label me = Pstream::myProcNo();
+    start_[split] = me*n[split]/Pstream::nProcs();
+    n_[split] = (me + 1)*n[split]/Pstream::nProcs() - start_[split];
 
     makeTime();
     makeMesh();

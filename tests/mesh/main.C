@@ -23,6 +23,7 @@ Usage
 #include <cstring>
 #include <iostream>
 
+#include "collectiveCalls.H"
 #include "openfoamCase.H"
 #include "PstreamReduceOps.H"
 #include "errorOf.H"
@@ -108,6 +109,7 @@ int main(int argc, char* argv[])
     }
     if (Foam::Pstream::parRun())
     {
+        Foam::fsi::collectiveCalls::debug = 1;
         listeners.Append(new agreeOnFailure);
     }
 

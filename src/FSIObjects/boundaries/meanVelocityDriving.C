@@ -8,6 +8,7 @@
 #include "openfoamVersion.H"
 #include "population.H"
 #include "readBetween.H"
+#include "sumOverRanks.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -143,8 +144,9 @@ void Foam::fsi::meanVelocityDriving::update
 )
 {
     const scalarField& V = mesh_.V();
-    const scalar volume = gSum(V);
-    const scalar mean = (gSum(V*U.primitiveField()) & axis_)/volume;
+    const scalar volume = overRanks(sum(V), sumOp<scalar>());
+    const vector flow(overRanks(sum(V*U.primitiveField()), sumOp<vector>()));
+    const scalar mean = (flow & axis_)/volume;
     const scalar momentum =
         mean + (moreMomentum(objects, density) & axis_)/volume;
     const Time& time = mesh_.time();

@@ -2,6 +2,7 @@
 
 #include "cartesianMesh.H"
 #include "domainSides.H"
+#include "sumOverRanks.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -59,7 +60,7 @@ void Foam::fsi::cartesianMesh::setSpacing()
     thickness_ = nDims_ == 2 ? bb.span().z() : 1;
     origin_ = bb.min();
 
-    const label nCells = returnReduce(mesh_.nCells(), sumOp<label>());
+    const label nCells = overRanks(mesh_.nCells(), sumOp<label>());
     const scalar cellVolume =
         bb.volume()/(thickness_*max(nCells, 1));
     const scalar guess =

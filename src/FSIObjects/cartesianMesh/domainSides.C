@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "domainSides.H"
-#include "ListOps.H"
 #include "emptyPolyPatch.H"
 #include "openfoamVersion.H"
+#include "sumOverRanks.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
@@ -125,14 +125,28 @@ Foam::fsi::domainSides::domainSides(const fvMesh& mesh)
     {
         addPatch(patch);
     }
-    for (label& kind : kinds_)
+    for (const FixedList<label, 6>& kinds : gatherOverRanks(kinds_))
     {
-        reduce(kind, maxOp<label>());
+        forAll(kinds, sidei)
+        {
+            kinds_[sidei] = max(kinds_[sidei], kinds[sidei]);
+        }
+    }
+    for (const FixedList<wordList, 6>& patches : gatherOverRanks(patches_))
+    {
+        forAll(patches, sidei)
+        {
+            for (const word& name : patches[sidei])
+            {
+                if (!isIn(patches_[sidei], name))
+                {
+                    patches_[sidei].append(name);
+                }
+            }
+        }
     }
     for (wordList& names : patches_)
     {
-        Pstream::combineGather(names, ListOps::uniqueEqOp<word>());
-        Pstream::combineScatter(names);
         Foam::sort(names);
     }
 }

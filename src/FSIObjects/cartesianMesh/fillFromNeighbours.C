@@ -2,6 +2,7 @@
 
 #include "fillFromNeighbours.H"
 #include "openfoamMesh.H"
+#include "sumOverRanks.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -96,7 +97,7 @@ Foam::label Foam::fsi::fillFromNeighbours
         known[filled[i]] = 1;
     }
     cells.transfer(left);
-    return returnReduce(cells.size(), sumOp<label>());
+    return overRanks(cells.size(), sumOp<label>());
 }
 
 

@@ -5,6 +5,7 @@
 #include "objectContact.H"
 #include "openfoamMesh.H"
 #include "selection.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -87,7 +88,8 @@ void Foam::fsi::couplingModel::fixInactive
 ) const
 {
     const boolList& active = system_.geometry.activeCell();
-    const scalar diagonal = max(gMax(pEqn.diag()), SMALL);
+    const scalar diagonal =
+        max(overRanks(max(pEqn.diag()), maxOp<scalar>()), SMALL);
 
     forAll(active, celli)
     {
@@ -110,7 +112,21 @@ void Foam::fsi::couplingModel::solveFluidPressure
     dictionary controls(solutionControls(p.mesh()).subDict(stepControlsName()));
     if (!controls.found("pRefCell") && !controls.found("pRefPoint"))
     {
-        controls.add("pRefCell", 0);
+        // The first cell; the first ranks may have none
+        const label rank = p.size() ? rankIn() : labelMax;
+        const label first = overRanks(rank, minOp<label>());
+        if (first == 0)
+        {
+            controls.add("pRefCell", 0);
+        }
+        else
+        {
+            const point mine
+            (
+                rank == first ? p.mesh().C()[0] : point::uniform(-GREAT)
+            );
+            controls.add("pRefPoint", overRanks(mine, maxOp<point>()));
+        }
     }
     controls.add("pRefValue", 0, false);
     label cell = -1;

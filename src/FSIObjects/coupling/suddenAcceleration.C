@@ -98,9 +98,13 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::suddenAcceleration::flux
 
 bool Foam::fsi::suddenAcceleration::update(const volScalarField& p)
 {
-    const bool starts =
-        p.time().timeIndex() == 1
-     && gMax(p.primitiveField()) - gMin(p.primitiveField()) < VSMALL;
+    bool starts = p.time().timeIndex() == 1;
+    if (starts)
+    {
+        const scalar high = overRanks(max(p.primitiveField()), maxOp<scalar>());
+        const scalar low = overRanks(min(p.primitiveField()), minOp<scalar>());
+        starts = high - low < VSMALL;
+    }
     gravity_ = starts ? system_.gravity : vector(Zero);
     driving_ =
         starts ? system_.driving->acceleration() : system_.driving->change();
@@ -109,10 +113,11 @@ bool Foam::fsi::suddenAcceleration::update(const volScalarField& p)
     {
         return velocity > VSMALL;
     }
-    const fvMesh& mesh = p.mesh();
+    const scalarField& V = p.mesh().V();
     const vectorField& U =
-        mesh.lookupObject<volVectorField>("U").primitiveField();
-    return velocity > 0.01*sqrt(gSum(mesh.V()*magSqr(U))/gSum(mesh.V()));
+        p.mesh().lookupObject<volVectorField>("U").primitiveField();
+    const scalar squares = overRanks(sum(V*magSqr(U)), sumOp<scalar>());
+    return velocity > 0.01*sqrt(squares/overRanks(sum(V), sumOp<scalar>()));
 }
 
 

@@ -6,6 +6,7 @@
 #include "fluidRegions.H"
 #include "fsiSystem.H"
 #include "openfoamMesh.H"
+#include "sharedPatches.H"
 #include "sumOverRanks.H"
 #include "wallPolyPatch.H"
 
@@ -131,31 +132,37 @@ static void checkControls(const fvMesh& mesh, const word& field)
 //- Fatal if an inlet of given velocity has no cell with fluid behind it
 static void checkInlets(const volVectorField& U, const boolList& active)
 {
-    forAll(U.boundaryField(), patchi)
+    // Cells of each patch behind faces with inflow: all of them, and those with
+    // fluid
+    const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
+    const label nPatches = nSharedPatches(patches);
+    labelList counts(2*nPatches, Zero);
+    for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         const fvPatchVectorField& patch = U.boundaryField()[patchi];
-        const polyPatch& faces = patch.patch().patch();
+        const polyPatch& faces = patches[patchi];
         if (faces.coupled() || isA<wallPolyPatch>(faces))
         {
             continue;
         }
-        // Cells behind faces with inflow: all of them, and those with fluid
-        scalarField counts(2, Zero);
         const scalarField inflow(-(patch & patch.patch().Sf()));
         forAll(inflow, i)
         {
             if (patch.fixesValue() && inflow[i] > 0)
             {
-                counts[0] += 1;
-                counts[1] += active[faces.faceCells()[i]] ? 1 : 0;
+                ++counts[2*patchi];
+                counts[2*patchi + 1] += active[faces.faceCells()[i]];
             }
         }
-        List<scalar> sums(counts);
-        sumOverRanks(sums);
-        if (sums[0] > 0 && sums[1] == 0)
+    }
+    sumOverRanks(counts);
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        if (counts[2*patchi] > 0 && counts[2*patchi + 1] == 0)
         {
             FatalErrorInFunction
-                << "Entry '" << faces.name() << "' in file " << pathOf(U)
+                << "Entry '" << patches[patchi].name() << "' in file "
+                << pathOf(U)
                 << " gives an inflow, but objects block the whole patch: no"
                 << " velocity of the fluid can be found" << exit(FatalError);
         }

@@ -3,6 +3,7 @@
 #include "restartFiles.H"
 #include "errorOf.H"
 #include "dictionaryCheck.H"
+#include "openfoamFiles.H"
 #include "openfoamMesh.H"
 #include "OSspecific.H"
 #include "stateChecks.H"
@@ -70,12 +71,17 @@ static void appendWritten(const fvMesh& mesh, DynamicList<word>& names)
 static void checkFile
 (
     const dictionary& list,
+    const Time& time,
     const fileName& folder,
     const restartFile& file
 )
 {
-    const fileName path(folder/file.name);
-    const bool found = isFile(path);
+    const IOobject io
+    (
+        stateFile::input(time, nameOf(time), folder, file.name)
+    );
+    const fileName path(foundPath(io));
+    const bool found = !path.empty();
     label nFound = 0;
     const List<label> all(gatherOverRanks(label(found)));
     for (const label n : all)
@@ -85,9 +91,9 @@ static void checkFile
     if (nFound == 0)
     {
         IOWarningInFunction(list)
-            << "File " << path << " is missing, though the time was written"
-            << " with it: " << file.without << ", so that the run does not"
-            << " go on as if it had not stopped" << nl << endl;
+            << "File " << pathOf(io) << " is missing, though the time was"
+            << " written with it: " << file.without << ", so that the run does"
+            << " not go on as if it had not stopped" << nl << endl;
     }
     else if (nFound < all.size())
     {
@@ -121,7 +127,11 @@ void Foam::fsi::restartFiles::write(const fvMesh& mesh)
     DynamicList<word> files;
     for (const restartFile& file : uniformFiles)
     {
-        if (isFile(time.timePath()/"uniform"/file.name))
+        const IOobject io
+        (
+            stateFile::input(time, nameOf(time), "uniform", file.name)
+        );
+        if (stateFile::exists(io))
         {
             files.append(file.name);
         }
@@ -166,14 +176,14 @@ void Foam::fsi::restartFiles::check(const fvMesh& mesh)
     {
         if (isIn(fields, file.name))
         {
-            checkFile(list, time.timePath(), file);
+            checkFile(list, time, "", file);
         }
     }
     for (const restartFile& file : uniformFiles)
     {
         if (isIn(files, file.name))
         {
-            checkFile(list, time.timePath()/"uniform", file);
+            checkFile(list, time, "uniform", file);
         }
     }
 }

@@ -4,6 +4,7 @@
 #include "openfoamVersion.H"
 #include "fsiObjects.H"
 #include "dictionaryCheck.H"
+#include "sumOverRanks.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -39,7 +40,7 @@ static scalar largestRate(const surfaceScalarField& phi)
     {
         largest = max(largest, sums[celli]/V[celli]);
     }
-    return 0.5*returnReduce(largest, maxOp<scalar>());
+    return 0.5*overRanks(largest, maxOp<scalar>());
 }
 
 } // End namespace fsi

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "faceVelocities.H"
+#include "sumOverRanks.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -39,7 +40,8 @@ void Foam::fsi::faceVelocities::addOpenParts
 {
     const fvMesh& mesh = v.U.mesh();
     const label nInternal = mesh.nInternalFaces();
-    const bool coupled = geometry_.grid().coupled();
+    // All ranks swap, be they without coupled faces
+    const bool coupled = severalRanks() || geometry_.grid().coupled();
     vectorList across;
     scalarField onBoundary, share;
     if (coupled)

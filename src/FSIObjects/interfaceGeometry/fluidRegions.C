@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidRegions.H"
+#include "sharedPatches.H"
 #include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -125,14 +126,13 @@ Foam::label Foam::fsi::fluidRegions::closedInlet
 ) const
 {
     const regionSplit& regions = *regions_;
-    const label nPatches = U.boundaryField().size();
+    const label nRegions = regions.nRegions();
+    const label nPatches = nSharedPatches(U.mesh().boundaryMesh());
 
-    // Inflow into each region through each patch, and all of it; what it would
-    // be if all velocities were normal to their faces
-    List<scalarField> parts(nPatches, scalarField(regions.nRegions(), Zero));
-    scalarField all(regions.nRegions(), Zero);
-    scalarField size(all);
-    forAll(U.boundaryField(), patchi)
+    // Inflow into each region through each patch, patch by patch; behind it
+    // what all would be if the velocities were normal to their faces
+    scalarField parts((nPatches + 1)*nRegions, Zero);
+    for (label patchi = 0; patchi < nPatches; ++patchi)
     {
         const fvPatchVectorField& patch = U.boundaryField()[patchi];
         if (patch.coupled() || !patch.size())
@@ -147,33 +147,34 @@ Foam::label Foam::fsi::fluidRegions::closedInlet
             (
                 geometry_.openness()[patch.patch().start() + i]*areas[i]
             );
-            parts[patchi][regioni] -= patch[i] & area;
-            size[regioni] += mag(patch[i])*mag(area);
+            parts[nRegions*patchi + regioni] -= patch[i] & area;
+            parts[nRegions*nPatches + regioni] += mag(patch[i])*mag(area);
         }
     }
-    for (label patchi = 0; patchi < nPatches; ++patchi)
-    {
-        sumOverRanks(parts[patchi]);
-        all += parts[patchi];
-    }
-    sumOverRanks(size);
+    sumOverRanks(parts);
 
     const scalarField open(openOr(objectMoves, U));
     inflow = 0;
     label found = -1;
-    forAll(all, regioni)
+    for (label regioni = 0; regioni < nRegions; ++regioni)
     {
-        label largest = 0;
-        for (label patchi = 1; patchi < nPatches; ++patchi)
+        const auto part = [&](const label patchi)
         {
-            if (mag(parts[patchi][regioni]) > mag(parts[largest][regioni]))
+            return parts[nRegions*patchi + regioni];
+        };
+        label largest = 0;
+        scalar all = 0;
+        for (label patchi = 0; patchi < nPatches; ++patchi)
+        {
+            all += part(patchi);
+            if (mag(part(patchi)) > mag(part(largest)))
             {
                 largest = patchi;
             }
         }
-        if (open[regioni] < 0.5 && mag(all[regioni]) > 1e-6*size[regioni])
+        if (open[regioni] < 0.5 && mag(all) > 1e-6*part(nPatches))
         {
-            inflow = all[regioni];
+            inflow = all;
             found = largest;
         }
     }

@@ -86,7 +86,7 @@ void Foam::fsi::openParts::setOpenness(const levelSetUpdate& levelSet)
         mesh.nFaces() - mesh.nInternalFaces(),
         mesh.nInternalFaces()
     );
-    syncTools::syncBoundaryFaceList(mesh, boundary, minEqOp<scalar>());
+    syncCoupledFaces(mesh, boundary, minEqOp<scalar>());
 }
 
 

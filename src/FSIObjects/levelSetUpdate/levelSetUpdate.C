@@ -6,6 +6,7 @@
 #include "dictionaryCheck.H"
 #include "fetchSamples.H"
 #include "selection.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -132,7 +133,7 @@ Foam::scalar Foam::fsi::levelSetUpdate::misfit
             }
         }
     }
-    return returnReduce(largest, maxOp<scalar>())/grid_.spacing();
+    return overRanks(largest, maxOp<scalar>())/grid_.spacing();
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "openfoamMesh.H"
 #include "redBlackMatrix.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -86,19 +87,17 @@ void Foam::fsi::redBlackMatrix::setDiagonal
 
 void Foam::fsi::redBlackMatrix::setRelaxation()
 {
-    scalar alpha = 0;
-    scalar beta = 0;
-    const labelUList& rowOf = order_.rowOf();
-    forAll(rowOf, celli)
+    scalarList largest(2, Zero);
+    forAll(symmetric_, celli)
     {
-        const scalar d = diagonal_[nDims_*rowOf[celli]];
-        alpha = max(alpha, symmetric_[celli]/d);
-        beta = max(beta, antisymmetric_[celli]/d);
+        const scalar d = diagonal_[nDims_*order_.rowOf()[celli]];
+        largest[0] = max(largest[0], symmetric_[celli]/d);
+        largest[1] = max(largest[1], antisymmetric_[celli]/d);
     }
-    reduce(alpha, maxOp<scalar>());
-    reduce(beta, maxOp<scalar>());
-    jacobiRadius_ = alpha;
-    relaxation_ = 2/(1 + Foam::sqrt(max(1 - sqr(alpha), 0.0) + sqr(beta)));
+    combineOverRanks(largest, maxEqOp<scalar>());
+    jacobiRadius_ = largest[0];
+    const scalar squares = max(1 - sqr(largest[0]), 0.0) + sqr(largest[1]);
+    relaxation_ = 2/(1 + Foam::sqrt(squares));
 }
 
 

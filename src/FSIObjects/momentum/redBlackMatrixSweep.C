@@ -2,6 +2,7 @@
 
 #include "redBlackMatrix.H"
 #include "redBlackRuns.H"
+#include "sumOverRanks.H"
 
 #include <limits>
 
@@ -34,7 +35,7 @@ Foam::scalar Foam::fsi::redBlackMatrix::relax
 
 Foam::scalar Foam::fsi::redBlackMatrix::norm(const scalar squares) const
 {
-    return Foam::sqrt(returnReduce(squares, sumOp<scalar>()));
+    return Foam::sqrt(overRanks(squares, sumOp<scalar>()));
 }
 
 

@@ -2,6 +2,7 @@
 
 #include "meanFluidVelocity.H"
 #include "levelSetUpdate.H"
+#include "sumOverRanks.H"
 #include "volFields.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
@@ -24,8 +25,8 @@ Foam::vector Foam::fsi::meanFluidVelocity
             sum += V[celli]*U[celli];
         }
     }
-    reduce(sum, sumOp<vector>());
-    reduce(volume, sumOp<scalar>());
+    sum = overRanks(sum, sumOp<vector>());
+    volume = overRanks(volume, sumOp<scalar>());
     return sum/max(volume, VSMALL);
 }
 

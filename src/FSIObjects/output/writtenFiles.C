@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "writtenFiles.H"
-#include "argList.H"
 #include "errorOf.H"
 #include "IFstream.H"
-#include "instantList.H"
+#include "openfoamFiles.H"
 #include "openfoamVersion.H"
 #include "OSspecific.H"
+#include "sumOverRanks.H"
 #include "Time.H"
 
 #include <fstream>
@@ -41,36 +41,29 @@ static wordList fieldsOf(const fileName& timeFolder)
 }
 
 
-//- Folders of the case's ranks; the case itself if there are none
-static fileNameList rankFolders(const fileName& caseFolder)
+//- Are the parts of all ranks in a file of the file handler collated whole?
+static bool blocksEnd(std::ifstream& is)
 {
-    DynamicList<fileName> folders;
-    for (label i = 0; isDir(caseFolder/("processor" + Foam::name(i))); ++i)
+    bool found = false;
+    std::string line;
+    while (std::getline(is, line))
     {
-        folders.append(caseFolder/("processor" + Foam::name(i)));
-    }
-    if (folders.empty())
-    {
-        folders.append(caseFolder);
-    }
-    return fileNameList(folders);
-}
-
-
-//- Does controlDict ask for the latest time
-static bool startsFromLatest(const fileName& caseFolder)
-{
-    word start;
-    errorOf
-    (
-        [&]()
+        if (line.compare(0, 12, "// Processor") == 0)
         {
-            IFstream is(caseFolder/"system"/"controlDict");
-            start = getEntry<word>(dictionary(is), "startFrom");
+            std::streamoff size = 0;
+            char bracket = ' ';
+            is >> size >> bracket;
+            is.seekg(size, std::ios::cur);
+            found = bracket == '(' && is.get() == ')';
+            if (!found)
+            {
+                return false;
+            }
         }
-    );
-    return start == "latestTime";
+    }
+    return found;
 }
+
 
 } // End namespace writtenFiles
 } // End namespace fsi
@@ -98,7 +91,17 @@ bool Foam::fsi::writtenFiles::hasEnd(const fileName& file)
     }
     is.seekg(-20, std::ios::end);
     is.read(&text[0], text.size());
-    return text.find("*** //") != std::string::npos;
+    if (text.find("*** //") != std::string::npos)
+    {
+        return true;
+    }
+    is.clear();
+    is.seekg(0);
+    text.resize(2000);
+    is.read(&text[0], text.size());
+    is.clear();
+    is.seekg(0);
+    return text.find("decomposedBlockData") < 2000 && blocksEnd(is);
 }
 
 
@@ -135,36 +138,6 @@ Foam::fileName Foam::fsi::writtenFiles::fault
 }
 
 
-Foam::word Foam::fsi::writtenFiles::lastTime(const fileName& caseFolder)
-{
-    const fileNameList ranks(rankFolders(caseFolder));
-    const instantList times(timesIn(ranks[0]));
-    for (label i = times.size() - 1; i >= 0; --i)
-    {
-        bool complete = times[i].name() != "constant";
-        for (const fileName& rank : ranks)
-        {
-            complete = complete && fault(rank/times[i].name(), false).empty();
-        }
-        if (complete)
-        {
-            return times[i].name();
-        }
-    }
-    return word();
-}
-
-
-Foam::string Foam::fsi::writtenFiles::lastTimeNote(const fileName& caseFolder)
-{
-    const word last(lastTime(caseFolder));
-    return
-        last.empty()
-      ? string("No time is complete")
-      : string("The last complete time is " + last);
-}
-
-
 void Foam::fsi::writtenFiles::write
 (
     Time& time,
@@ -196,10 +169,13 @@ void Foam::fsi::writtenFiles::check(const Time& time)
     {
         return;
     }
-    fileName wrong(fault(time.timePath(), true));
+    finishWriting();
+    gatherOverRanks(true);
+    const fileName folder(folderOf(time));
+    fileName wrong(fault(folder, true));
     const fileName state
     (
-        time.timePath()/"uniform"/"functionObjects"/"functionObjectProperties"
+        folder/"uniform"/"functionObjects"/"functionObjectProperties"
     );
     if (wrong.empty() && writesFunctionState(time) && !isFile(state))
     {
@@ -212,42 +188,6 @@ void Foam::fsi::writtenFiles::check(const Time& time)
             << " Is the disk full?" << nl
             << lastTimeNote(time.globalPath()).c_str() << exit(FatalError);
     }
-}
-
-
-void Foam::fsi::writtenFiles::setAside(const argList& args)
-{
-    const fileName caseFolder(args.rootPath()/args.globalCaseName());
-    if (Pstream::master() && startsFromLatest(caseFolder))
-    {
-        const word last(lastTime(caseFolder));
-        for (const fileName& rank : rankFolders(caseFolder))
-        {
-            const instantList times(timesIn(rank));
-            for (label i = times.size() - 1; i > 0; --i)
-            {
-                if (last.empty() || times[i].name() == last)
-                {
-                    break;
-                }
-                const fileName folder(rank/times[i].name());
-                WarningInFunction
-                    << "Time " << times[i].name() << " is incomplete: its run"
-                    << " ended while it was written. " << folder
-                    << " is renamed to " << times[i].name() << ".incomplete, "
-                    << "and the run starts from " << last << nl << endl;
-                const fileName target(folder + ".incomplete");
-                if (isDir(target))
-                {
-                    rmDir(target);
-                }
-                mv(folder, target);
-            }
-        }
-    }
-    // The others wait for the renamed folders
-    bool done = true;
-    Pstream::scatter(done);
 }
 
 

@@ -102,7 +102,9 @@ Foam::label Foam::fsi::bodyGroups::append
 void Foam::fsi::bodyGroups::read(const direction nDims, const label nextId)
 {
     const IOobjectList files(time_, caseConstant(time_), folder);
-    for (const word& name : files.sortedNames())
+    const wordList names(files.sortedNames());
+    stateChecks::compareFiles(names, caseConstant(time_)/folder);
+    for (const word& name : names)
     {
         readGroup(name, nDims, nextId);
     }

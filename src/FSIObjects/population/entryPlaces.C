@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <iterator>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -27,6 +28,23 @@ static std::string contentOf(const fileName& file)
         std::istreambuf_iterator<char>(is.stdStream()),
         std::istreambuf_iterator<char>()
     );
+}
+
+
+//- Bytes of a value as the header's entry arch tells (label=32;), or what they
+//  are here
+static std::size_t bytesOf
+(
+    const std::string& text,
+    const std::string& type,
+    const std::size_t here
+)
+{
+    const std::size_t found = text.find(type + "=");
+    return
+        found < 2000
+      ? std::strtoul(text.c_str() + found + type.size() + 1, nullptr, 10)/8
+      : here;
 }
 
 } // End namespace fsi
@@ -69,9 +87,9 @@ void Foam::fsi::entryPlaces::readWord()
     }
     entryStart_ = false;
     valueSize_ =
-        name == "List<scalar>" ? sizeof(scalar)
-      : name == "List<label>" ? sizeof(label)
-      : name == "List<vector>" ? 3*sizeof(scalar)
+        name == "List<scalar>" ? scalarSize_
+      : name == "List<label>" ? labelSize_
+      : name == "List<vector>" ? 3*scalarSize_
       : 0;
 }
 
@@ -125,7 +143,9 @@ void Foam::fsi::entryPlaces::readDigits()
 Foam::fsi::entryPlaces::entryPlaces(const fileName& file)
 :
     text_(contentOf(file)),
-    binary_(false)
+    binary_(false),
+    scalarSize_(bytesOf(text_, "scalar", sizeof(scalar))),
+    labelSize_(bytesOf(text_, "label", sizeof(label)))
 {
     const std::size_t format = text_.find("format");
     binary_ =

@@ -2,8 +2,8 @@
 
 #include "sharedPrediction.H"
 #include "admmSolver.H"
-#include "openfoamRanks.H"
 #include "openfoamVersion.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -13,13 +13,12 @@ namespace
 using namespace Foam;
 using Foam::fsi::admmSolver;
 using Foam::fsi::bodyGroup;
-using Foam::fsi::shareOverRanks;
 
 //- First copy of each group and rank, and the end: [group][rank]. None for
 //  groups that are not divisible
 labelListList rankStarts(const PtrList<bodyGroup>& groups)
 {
-    const label nRanks = Pstream::nProcs();
+    const label nRanks = fsi::nRanksIn();
     scalar all = 0;
     for (const bodyGroup& group : groups)
     {
@@ -93,12 +92,11 @@ void exchange
         );
     };
 
-    List<scalarField> values(Pstream::nProcs());
     DynamicList<scalar> mine;
     forShares
     (
         starts,
-        Pstream::myProcNo(),
+        fsi::rankIn(),
         [&](const label groupi, const labelRange& copies)
         {
             const auto part = columns(groupi, copies);
@@ -108,8 +106,7 @@ void exchange
             );
         }
     );
-    values[Pstream::myProcNo()] = mine;
-    shareOverRanks(values);
+    const List<scalarList> values(fsi::gatherOverRanks(scalarList(mine)));
     forAll(values, ranki)
     {
         const scalar* next = values[ranki].cdata();
@@ -142,7 +139,7 @@ void Foam::fsi::predictShared
 )
 {
     const PtrList<bodyGroup>& groups = objects.groups();
-    const bool shares = Pstream::parRun();
+    const bool shares = severalRanks();
     v.resize(groups.size());
     forAll(groups, groupi)
     {
@@ -162,7 +159,7 @@ void Foam::fsi::predictShared
         forShares
         (
             starts,
-            Pstream::myProcNo(),
+            fsi::rankIn(),
             [&](const label groupi, const labelRange& copies)
             {
                 groups[groupi].predictRange

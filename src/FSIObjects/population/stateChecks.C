@@ -26,6 +26,28 @@ void Foam::fsi::stateChecks::compareRanks(const dictionary& state)
 }
 
 
+void Foam::fsi::stateChecks::compareFiles
+(
+    const wordList& names,
+    const fileName& folder
+)
+{
+    const List<wordList> all(gatherOverRanks(names));
+    forAll(all, ranki)
+    {
+        if (all[ranki] != all[0])
+        {
+            FatalErrorInFunction
+                << "Rank " << ranki << " finds the files "
+                << flatOutput(all[ranki]) << " in " << folder
+                << " but rank 0 " << flatOutput(all[0]) << nl
+                << "All ranks need the case's folder constant"
+                << exit(FatalError);
+        }
+    }
+}
+
+
 void Foam::fsi::stateChecks::checkShape
 (
     const dictionary& dict,

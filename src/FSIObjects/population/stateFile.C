@@ -4,8 +4,8 @@
 #include "entryPlaces.H"
 #include "errorOf.H"
 #include "localIOdictionary.H"
+#include "openfoamFiles.H"
 #include "openfoamVersion.H"
-#include "OSspecific.H"
 #include "SHA1.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
@@ -123,8 +123,7 @@ Foam::IOobject Foam::fsi::stateFile::input
 
 bool Foam::fsi::stateFile::exists(const IOobject& io)
 {
-    // Also if it ends in .gz
-    return isFile(pathOf(io));
+    return !foundPath(io).empty();
 }
 
 
@@ -155,7 +154,8 @@ Foam::word Foam::fsi::stateFile::sum(const dictionary& content)
 
 Foam::dictionary Foam::fsi::stateFile::read(const IOobject& io)
 {
-    const fileName file(pathOf(io));
+    const fileName found(foundPath(io));
+    const fileName file(found.empty() ? fileName(pathOf(io)) : found);
     const entryPlaces places(file);
     word key(places.oversized());
     dictionary dict;

@@ -2,6 +2,7 @@
 
 #include "filmPressure.H"
 #include "fillFromNeighbours.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -26,7 +27,7 @@ void Foam::fsi::fillFilmCells
     const UList<label>& films = geometry.filmCells();
     const scalarField last(p.primitiveField(), films);
     DynamicList<label> cells(films);
-    label left = returnReduce(cells.size(), sumOp<label>());
+    label left = overRanks(cells.size(), sumOp<label>());
     if (left == 0)
     {
         return;
@@ -41,7 +42,10 @@ void Foam::fsi::fillFilmCells
     {
         known[celli] = 0;
     }
-    const scalar mean = gSum(known*p.primitiveField())/max(gSum(known), 1.0);
+    const scalar sum =
+        overRanks(Foam::sum(known*p.primitiveField()), sumOp<scalar>());
+    const scalar mean =
+        sum/max(overRanks(Foam::sum(known), sumOp<scalar>()), 1.0);
 
     for (label pass = 0; pass < maxPasses && left > 0; ++pass)
     {

@@ -163,7 +163,7 @@ Foam::fsi::objectsConductance::conductance() const
 
     // The rank of the cell inside has no wall
     SubList<scalar> boundary(g.face, mesh.nFaces() - nInternal, nInternal);
-    syncTools::syncBoundaryFaceList(mesh, boundary, maxEqOp<scalar>());
+    syncCoupledFaces(mesh, boundary, maxEqOp<scalar>());
     return g;
 }
 

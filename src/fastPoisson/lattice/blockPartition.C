@@ -2,7 +2,6 @@
 
 #include "blockPartition.H"
 #include "latticeRanks.H"
-#include "openfoamRanks.H"
 #include "openfoamVersion.H"
 #include "boundBox.H"
 #include <algorithm>
@@ -96,8 +95,7 @@ bool Foam::fsi::blockPartition::takeBoxes
     const label step
 )
 {
-    List<boxEnds> boxes(UPstream::nProcs(comm), boxEnds(label(0)));
-    boxEnds& mine = boxes[UPstream::myProcNo(comm)];
+    boxEnds mine(label(0));
     for (direction d = 0; d < 3; ++d)
     {
         label low = labelMax;
@@ -110,57 +108,20 @@ bool Foam::fsi::blockPartition::takeBoxes
         mine[2*d] = low;
         mine[2*d + 1] = high;
     }
-    shareOverRanks(boxes, comm);
+    const List<boxEnds> boxes(gatherOverRanks(mine, comm));
+    for (const boxEnds& ends : boxes)
+    {
+        if (ends[0] >= ends[1])
+        {
+            // A rank without cells has no box
+            return false;
+        }
+    }
 
     setCuts(boxes, map.n(), step);
     return
         nBoxes(0)*nBoxes(1)*nBoxes(2) == boxes.size()
      && placeBoxes(boxes, step);
-}
-
-
-void Foam::fsi::blockPartition::makeBoxes
-(
-    const cartesianMap& map,
-    const label nRanks
-)
-{
-    const labelVector& n = map.n();
-    scalar least = GREAT;
-    labelVector best(0, 0, 0);
-    for (label px = 1; px <= min(nRanks, n.x()); ++px)
-    {
-        for (label py = 1; py <= min(nRanks/px, n.y()); ++py)
-        {
-            const label pz = nRanks/(px*py);
-            const scalar surface =
-                scalar(px)/n.x() + scalar(py)/n.y() + scalar(pz)/n.z();
-            if (px*py*pz == nRanks && pz <= n.z() && surface < least)
-            {
-                least = surface;
-                best = labelVector(px, py, pz);
-            }
-        }
-    }
-    if (!best.x())
-    {
-        FatalErrorInFunction
-            << "A lattice of " << n << " cells cannot be cut into " << nRanks
-            << " boxes: use fewer ranks, or GAMG." << exit(FatalError);
-    }
-
-    for (direction d = 0; d < 3; ++d)
-    {
-        cuts_[d].setSize(best[d] + 1);
-        forAll(cuts_[d], i)
-        {
-            // Even places, so that pairs of cells stay together, if possible
-            const label place = label(int64_t(n[d])*i/best[d]);
-            const bool even = n[d] >= 4*best[d] && i < best[d];
-            cuts_[d][i] = even ? 2*((place + 1)/2) : place;
-        }
-    }
-    rank_ = identityList(nRanks);
 }
 
 
@@ -198,7 +159,11 @@ Foam::fsi::blockLayout Foam::fsi::blockPartition::layout
     const label mine = indexOf(rank_, rank);
     if (mine < 0)
     {
-        return blockLayout();
+        return blockLayout
+        (
+            labelVector(0, 0, 0), labelVector(0, 0, 0), pad_,
+            FixedList<label, 6>(label(-1))
+        );
     }
     const labelVector position
     (

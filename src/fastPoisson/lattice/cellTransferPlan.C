@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "cellTransfer.H"
+#include "collectiveCalls.H"
 #include "Pstream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -21,6 +22,7 @@ void Foam::fsi::cellTransfer::planMessages
         count[owner[celli]] += owner[celli] != me;
     }
     labelList received(nRanks);
+    collectiveCalls::check(callPlace(), nRanks, comm_);
     UPstream::allToAll(count, received, comm_);
 
     sendSize_.setSize(nRanks);

@@ -183,9 +183,12 @@ void Foam::fsi::haloExchange::fill(Type* x) const
 template<class Type>
 void Foam::fsi::haloExchange::fillHigh(const direction d, Type* x) const
 {
-    FixedList<bool, 6> use(false);
-    use[2*d + 1] = true;
-    fill(use, x);
+    if (layout_.nCells())
+    {
+        FixedList<bool, 6> use(false);
+        use[2*d + 1] = true;
+        fill(use, x);
+    }
 }
 
 

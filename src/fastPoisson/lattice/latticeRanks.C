@@ -22,9 +22,11 @@ void Foam::fsi::gatherToFirst
     List<float>& whole,
     const List<int>& sizes,
     const List<int>& offsets,
-    const label comm
+    const label comm,
+    const callPlace& place
 )
 {
+    collectiveCalls::check(place, sizes.size(), comm);
     UPstream::gather
     (
         reinterpret_cast<const char*>(part.cdata()),
@@ -43,9 +45,11 @@ void Foam::fsi::scatterFromFirst
     List<float>& part,
     const List<int>& sizes,
     const List<int>& offsets,
-    const label comm
+    const label comm,
+    const callPlace& place
 )
 {
+    collectiveCalls::check(place, sizes.size(), comm);
     UPstream::scatter
     (
         reinterpret_cast<const char*>(whole.cdata()),

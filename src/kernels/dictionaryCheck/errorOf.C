@@ -86,6 +86,13 @@ bool Foam::fsi::isUsable(const vector& value)
 }
 
 
+bool Foam::fsi::isEmptyList(const dictionary& dict, const word& key)
+{
+    const ITstream& is = dict.lookup(key);
+    return is.size() == 1 && is[0].isLabel() && is[0].labelToken() == 0;
+}
+
+
 void Foam::fsi::checkValues
 (
     const dictionary& dict,

@@ -6,12 +6,14 @@ decompositions show it:
     decomposition.py FOLDER
 
 a film on the side between the ranks, or on the seam; the reference cell of the
-pressure with the weak coupling; a state of one rank that goes on on two.
+pressure with the weak coupling; a state of one rank that goes on on two. Ranks
+in a row and in boxes, and one without cells, hold the objects of one rank.
 """
 
 import os
 import sys
 
+import anyRanks
 import fsiCase
 import results
 
@@ -129,6 +131,10 @@ def check_restart(report, folder):
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
+    report.attempt("plane", anyRanks.compare, report, folder, anyRanks.channel,
+                   [(1, 3), (4, 1), (3, 2), (5, 1)])
+    report.attempt("space", anyRanks.compare, report, folder, anyRanks.box,
+                   [(3, 1, 1), (1, 3, 1), (2, 1, 3), "hollow"])
     report.attempt("films", check_film, report, folder)
     report.attempt("weak coupling", check_weak, report, folder)
     report.attempt("restart", check_restart, report, folder)

@@ -7,7 +7,6 @@ goes on on two, or one on four on one.
     solidRanks.py FOLDER
 """
 
-import math
 import os
 import shutil
 import sys
@@ -63,23 +62,9 @@ def solve(case, ranks, end=STEPS):
         shutil.rmtree(os.path.join(case.path, f"processor{part}"))
 
 
-def difference(case, other):
-    """Largest distance of nodes at the end over an object's size."""
-    one, two = (results.state(c.path, results.times(c.path)[-1])
-                for c in (case, other))
-    if sorted(one) != sorted(two):
-        raise ValueError(f"objects {sorted(two)}, not {sorted(one)}")
-    worst = 0
-    for number, (_, nodes, _) in one.items():
-        size = max(max(c) - min(c) for c in zip(*nodes))
-        worst = max(worst, *(math.dist(a, b)/size for a, b
-                             in zip(nodes, two[number][1])))
-    return worst
-
-
 def same(report, name, serial, case):
     """The end of a case is that of the serial one."""
-    error = difference(serial, case)
+    error = results.difference(serial.path, case.path)
     print(f"    {name}: nodes differ by {error:.2e} of an object's size")
     report.check(f"{name}: the trajectories of one rank", error <= TOLERANCE,
                  f"{error:.2e} of an object's size")

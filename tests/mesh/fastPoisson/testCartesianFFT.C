@@ -119,9 +119,20 @@ TEST(cartesianFFT, decompositionDoesNotMatter)
         return (c.x()/5 + c.y()/7) % Pstream::nProcs();
     };
     options.shuffled = true;
+    {
+        latticeMesh mesh(options);
+        poissonProblem problem(mesh, {"xMax"});
+        check(problem, "chess board");
+    }
+
+    // Ranks without cells
+    options.rank = [](const labelVector& c)
+    {
+        return c.x() < 14 ? 0 : Pstream::nProcs() - 1;
+    };
     latticeMesh mesh(options);
     poissonProblem problem(mesh, {"xMax"});
-    check(problem, "chess board");
+    check(problem, "two ranks");
 }
 
 

@@ -149,7 +149,10 @@ TEST(cartesianMG, decompositionDoesNotMatter)
         {
             return (2*c.x()/48 + 2*(2*c.y()/40)) % nRanks;
         },
-        [=](const labelVector& c) { return (c.x()/5 + c.y()/7) % nRanks; }
+        [=](const labelVector& c) { return (c.x()/5 + c.y()/7) % nRanks; },
+        // Ranks without cells
+        [=](const labelVector& c) { return c.x() < 24 ? 0 : nRanks - 1; },
+        [=](const labelVector&) { return nRanks - 1; }
     };
     for (const bool cyclic : {false, true})
     {
@@ -170,6 +173,21 @@ TEST(cartesianMG, decompositionDoesNotMatter)
         EXPECT_LE(most - least, 2);
         EXPECT_LE(most, 16);
     }
+}
+
+
+// Three boxes cannot be cut from 2 x 2 cells
+TEST(cartesianMG, moreRanksThanBoxes)
+{
+    latticeOptions options;
+    options.n = labelVector(2, 2, 1);
+    options.rank = [](const labelVector& c)
+    {
+        return (c.x() + c.y()) % Pstream::nProcs();
+    };
+    latticeMesh mesh(options);
+    poissonProblem problem(mesh, {"xMax"});
+    EXPECT_LE(compare(problem, "few cells"), 8);
 }
 
 

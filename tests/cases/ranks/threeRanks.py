@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Three ranks in a row, of which the middle one has two neighbours and the
+others one, and three of which one has no cells, give the objects of one rank;
+a restart on three ranks is the run without a stop to the last bit.
+
+    threeRanks.py FOLDER
+"""
+
+import os
+import sys
+
+import anyRanks
+import fsiCase
+import smallCase
+
+
+def check_restart(report, folder):
+    """Four steps and four more are eight."""
+    states = []
+    for name, ends in (("whole", (0.04,)), ("parts", (0.02, 0.04))):
+        case = anyRanks.channel(os.path.join(folder, name))
+        n_ranks = anyRanks.decompose(case, (3, 1, 1))
+        for end in ends:
+            case.control(endTime=end)
+            case.run("fsiPisoFoam", ranks=n_ranks)
+        states.append([smallCase.result(
+            os.path.join(case.path, f"processor{rank}", "0.04"))
+            for rank in range(n_ranks)])
+    for rank, (whole, parts) in enumerate(zip(*states)):
+        differ = [name for name in sorted(set(whole) | set(parts))
+                  if whole.get(name) != parts.get(name)]
+        report.check(f"a restart is bitwise the same on rank {rank}",
+                     whole and not differ, differ)
+
+
+def main(folder):
+    """The checks."""
+    report = fsiCase.Report()
+    report.attempt("ranks", anyRanks.compare, report, folder,
+                   anyRanks.channel, [(3, 1, 1), "hollow"])
+    report.attempt("restart", check_restart, report, folder)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
