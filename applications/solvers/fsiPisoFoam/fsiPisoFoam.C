@@ -48,6 +48,7 @@ Description
 #include "meshFiles.H"
 #include "openfoamVersion.H"
 #include "optionSources.H"
+#include "restartFiles.H"
 #include "timeStep.H"
 #include "writtenFiles.H"
 #include <malloc.h>
@@ -68,6 +69,7 @@ int main(int argc, char *argv[])
     fsi::writtenFiles::setAside(args);
     fsi::fileHeaders::check(args.globalPath()/"system");
     #include "createTime.H"
+    fsi::restartFiles::takeTime(runTime);
     fsi::meshFiles::check(runTime, polyMesh::defaultRegion);
     #include "createMesh.H"
     #include "createFields.H"

@@ -117,6 +117,17 @@ static void checkFile
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+void Foam::fsi::restartFiles::takeTime(Time& time)
+{
+    const dictionary written(readState(time, "time"));
+    const scalar value = readEntryOr<scalar>(written, "value", time.value());
+    if (Time::timeName(value) == nameOf(time))
+    {
+        time.setTime(value, time.timeIndex());
+    }
+}
+
+
 void Foam::fsi::restartFiles::write(const fvMesh& mesh)
 {
     const Time& time = mesh.time();

@@ -4,8 +4,10 @@
 
     restart.py FOLDER
 
-A disc with a Kelvin-Voigt law, a star and a fixed disc in a driven cavity; red
-cells in a periodic channel, with a driving force.
+A disc with a Kelvin-Voigt law, a star, a fixed disc and one that oscillates in
+a driven cavity; red cells in a periodic channel, with a driving force; in
+binary, spheroids of a shape that is only fed into a box, beside a shape whose
+objects have left.
 """
 
 import filecmp
@@ -16,6 +18,7 @@ import sys
 
 import fsiCase
 import results
+import smallCase
 
 # Of the box: with the history of the faces' velocities (the default), and
 # without it, where a restart is bitwise exact
@@ -38,13 +41,30 @@ post
     material { density 1; E 100; }
     motion { type fixed; }
 }
+piston
+{
+    shape { type circle; radius 0.08; }
+    material { density 1; type rigid; }
+    motion { type oscillating; amplitude (0.02 0 0); frequency 3; }
+}
 """
 
 PLACEMENTS = """
 discs { type listed; shape disc; objects ({ centre (0.3 0.75 0); }); }
 stars { type listed; shape star; objects ({ centre (0.65 0.7 0); }); }
 posts { type listed; shape post; objects ({ centre (0.5 0.3 0); }); }
+pistons { type listed; shape piston; objects ({ centre (0.8 0.2 0); }); }
 """
+
+FED = """
+a { shape { type ellipsoid; semiAxes (0.18 0.13 0.13); }
+    material { density 1000; E 1e4; } }
+b { shape { type sphere; radius 0.13; } material { density 1000; E 1e4; } }
+"""
+
+OPEN = {"left": ("type fixedValue; value uniform (1 0 0);",
+                 "type zeroGradient;"),
+        "right": ("type zeroGradient;", "type fixedValue; value uniform 0;")}
 
 
 def solve(folder, name, ends, properties):
@@ -124,12 +144,49 @@ def compare_capillaries(report, folder):
                  differ == ([], []), differ)
 
 
+def fed_box(folder, name, ends):
+    """Runs a box that is fed to each end; the case."""
+    case = fsiCase.Case(
+        os.path.join(folder, name), box=(0, 0, 0, 1, 1, 1),
+        cells=(12, 12, 12), open=OPEN, density=1000, viscosity=0.01,
+        shapes=FED, placements="b { type listed; shape b; velocity (1 0 0);"
+        " objects ({ centre (0.8 0.5 0.5); }); }",
+        properties="boundaries { feed { left { shape a; rate 3;"
+        " velocity (1 0 0); velocityPerturbation 0.2; } } }\n",
+        deltaT=0.02, writeInterval=10, writeFormat="binary").set_up()
+    for end in ends:
+        case.control(startFrom="latestTime", endTime=end)
+        case.run("fsiPisoFoam")
+    return case
+
+
+def compare_fed(report, folder):
+    """All files of the last state, after a feed beyond the restart."""
+    whole = fed_box(folder, "fed", (1.4,))
+    parts = fed_box(folder, "fedInParts", (0.8, 1.4))
+    feeds = [row["fed"] for row in results.table(whole.path, "global.csv")]
+    report.check("objects are fed before and after the restart",
+                 0 < feeds[39] < feeds[-1], (feeds[39], feeds[-1]))
+    left = [row["removed"] for row in results.table(whole.path, "global.csv")]
+    report.check("a shape has no objects left", left[39] == 1, left[39])
+    one, other = (smallCase.result(os.path.join(case.path, "1.4"))
+                  for case in (whole, parts))
+    differ = [name for name in sorted(set(one) | set(other))
+              if one.get(name) != other.get(name)]
+    report.check("a restart of a fed box is bitwise the same", not differ,
+                 differ)
+    text = parts.run("checkObjects")
+    report.check("the objects of all times are sound",
+                 "Objects are sound" in text, text[-300:])
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
     for name in TOLERANCE:
         compare(report, folder, name)
     compare_capillaries(report, folder)
+    report.attempt("fed box", compare_fed, report, folder)
 
 
 if __name__ == "__main__":

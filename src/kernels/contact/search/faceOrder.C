@@ -7,6 +7,84 @@
 #include <algorithm>
 #include <vector>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using namespace Foam;
+
+//- Number of edges from a node to each other one; as many as there are nodes if
+//  there is no way
+scalarField edgesFrom(const label start, const List<labelList>& neighbours)
+{
+    scalarField n(neighbours.size(), scalar(neighbours.size()));
+    labelList front(1, start);
+    n[start] = 0;
+    for (scalar next = 1; front.size(); ++next)
+    {
+        DynamicList<label> reached;
+        for (const label nodei : front)
+        {
+            for (const label neighbour : neighbours[nodei])
+            {
+                if (n[neighbour] > next)
+                {
+                    n[neighbour] = next;
+                    reached.append(neighbour);
+                }
+            }
+        }
+        front = reached;
+    }
+    return n;
+}
+
+
+//- Places of nodes in a space in which neighbours are near to each other: along
+//  each direction how much nearer a node is to one end than to the other, by
+//  edges. An end is far from all ends before
+pointField placesOf
+(
+    const List<fsi::surfaceFace>& faces,
+    const label nNodes
+)
+{
+    List<labelList> neighbours(nNodes);
+    for (const fsi::surfaceFace& f : faces)
+    {
+        for (const label a : f)
+        {
+            for (const label b : f)
+            {
+                if (a >= 0 && b >= 0 && a != b)
+                {
+                    neighbours[a].append(b);
+                }
+            }
+        }
+    }
+
+    pointField places(nNodes, Zero);
+    if (nNodes == 0)
+    {
+        return places;
+    }
+    scalarField toEnds(edgesFrom(0, neighbours));
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalarField low(edgesFrom(findMax(toEnds), neighbours));
+        const scalarField high(edgesFrom(findMax(low), neighbours));
+        places.replace(d, high - low);
+        toEnds = d == 0 ? low : scalarField(min(toEnds, low));
+        toEnds = scalarField(min(toEnds, high));
+    }
+    return places;
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::List<Foam::fsi::surfaceFace> Foam::fsi::faceOrder::localFaces
@@ -103,18 +181,19 @@ Foam::fsi::faceOrder::faceOrder
 :
     given_(localFaces(surfaces, objecti))
 {
-    const label start = surfaces.pointStart()[objecti];
+    const label nNodes =
+        surfaces.pointStart()[objecti + 1] - surfaces.pointStart()[objecti];
+    const pointField places(placesOf(given_, nNodes));
     pointField centres(given_.size(), Zero);
     forAll(centres, facei)
     {
         for (label i = 0; i < surfaces.nNodes(); ++i)
         {
-            centres[facei] += surfaces.points()[start + given_[facei][i]];
+            centres[facei] += places[given_[facei][i]]/surfaces.nNodes();
         }
-        centres[facei] /= surfaces.nNodes();
     }
     sortFaces(centres);
-    sortNodes(surfaces.pointStart()[objecti + 1] - start);
+    sortNodes(nNodes);
 }
 
 
