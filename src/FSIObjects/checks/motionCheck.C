@@ -2,6 +2,7 @@
 
 #include "motionCheck.H"
 #include "openfoamVersion.H"
+#include "surfacePredicates.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -79,6 +80,47 @@ void Foam::fsi::motionCheck::checkSpeeds
                 << "stock solver a larger deltaT or stiffer objects"
                 << exit(FatalError);
         }
+    }
+}
+
+
+void Foam::fsi::motionCheck::checkPrescribed(const vector& period) const
+{
+    const surfaceSet& surfaces = objects_.surfaces();
+    DynamicList<label> prescribed;
+    bool moves = false;
+    for (label objecti = 0; objecti < objects_.size(); ++objecti)
+    {
+        if (!objects_.movesFreely(objecti))
+        {
+            prescribed.append(objecti);
+            const label nodei = surfaces.pointStart()[objecti];
+            moves = moves || mag(surfaces.velocities()[nodei]) > 0;
+        }
+    }
+    if (!moves || prescribed.size() < 2)
+    {
+        return;
+    }
+    const List<labelPair> pairs
+    (
+        surfacePredicates::overlapping(surfaces, prescribed, period)
+    );
+    if (pairs.size())
+    {
+        const auto nameOfObject = [&](const label objecti)
+        {
+            return
+                Foam::name(objects_.objectId(objecti)) + " of shape "
+              + objects_.shape(objects_.objectGroup(objecti)).name();
+        };
+        FatalErrorInFunction
+            << "Objects " << nameOfObject(pairs[0].first()).c_str() << " and "
+            << nameOfObject(pairs[0].second()).c_str()
+            << ", both with a prescribed motion, overlap at time "
+            << nameOf(time_) << ": nothing can part them. Let their motions"
+            << " (entry 'motion' of the shapes) keep them apart"
+            << exit(FatalError);
     }
 }
 

@@ -6,6 +6,25 @@
 #include "runLog.H"
 #include "sumOverRanks.H"
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::fsi::pressurePasses::worse(const scalar nodes, const scalar fluid)
+{
+    if (done_ == 1)
+    {
+        firstSpeed_ = nodes;
+        leastError_ = error_;
+        return false;
+    }
+    if (error_ > 2*leastError_ || nodes > 2*max(fluid, firstSpeed_))
+    {
+        return true;
+    }
+    leastError_ = min(leastError_, error_);
+    return false;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::pressurePasses::pressurePasses(const dictionary& dict)
@@ -14,6 +33,9 @@ Foam::fsi::pressurePasses::pressurePasses(const dictionary& dict)
     tolerance_(readPositive(dict, "passTolerance", 0.002)),
     done_(0),
     error_(0),
+    leastError_(0),
+    firstSpeed_(0),
+    state_(state::open),
     acceleration_(most_)
 {}
 
@@ -24,16 +46,27 @@ void Foam::fsi::pressurePasses::begin()
 {
     done_ = 0;
     error_ = 0;
+    state_ = state::open;
     acceleration_.clear();
 }
 
 
-void Foam::fsi::pressurePasses::measure(const FixedList<scalar, 2>& ofRank)
+void Foam::fsi::pressurePasses::measure
+(
+    const FixedList<scalar, 2>& ofRank,
+    const scalar atRest,
+    const scalar nodes,
+    const scalar fluid
+)
 {
     scalarList squares(ofRank);
     sumOverRanks(squares);
-    error_ = sqrt(squares[0]/max(squares[1], VSMALL));
+    error_ = sqrt(squares[0]/max(squares[1], atRest));
     ++done_;
+    state_ =
+        state_ == state::refused ? state::closed
+      : worse(nodes, fluid) ? state::refused
+      : state::open;
 }
 
 
@@ -45,6 +78,10 @@ Foam::scalarField Foam::fsi::pressurePasses::next
     const boolList& active
 )
 {
+    if (refused())
+    {
+        return acceleration_.lastStart();
+    }
     scalarField change(found - start);
     if (free)
     {
@@ -60,11 +97,17 @@ Foam::scalarField Foam::fsi::pressurePasses::next
 
 void Foam::fsi::pressurePasses::report(runLog& log) const
 {
+    const bool again = state_ == state::closed;
     if (log.full())
     {
-        Info<< "Passes: " << done_ << ", splitting error: " << error_ << endl;
+        Info<< "Passes: " << done_ << ", splitting error: " << error_
+            << (again ? ", the last pass as the last but two" : "") << endl;
     }
-    if (done_ > 1)
+    if (again)
+    {
+        log.warned("passes that made it worse");
+    }
+    if (most_ > 1)
     {
         log.count("passes", done_);
     }

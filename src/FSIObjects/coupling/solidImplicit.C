@@ -84,7 +84,6 @@ void Foam::fsi::solidImplicit::predict
     addRigidForce(system_, gradientForce_ + balance_.payment(), load);
     predictShared(system_.objects, time, system_.stepTime(), load, predicted_);
     addResponse(system_.objects, rest, predicted_);
-    constrain(predicted_);
 }
 
 
@@ -179,12 +178,10 @@ bool Foam::fsi::solidImplicit::again(volScalarField& p, const volVectorField&)
     groupNodal load;
     pressureForce
     (
-        system_.walls.atWalls(start.primitiveField()) - last,
-        load
+        system_.walls.atWalls(start.primitiveField()) - last, load
     );
     addRigidForce(system_, gradientForce_ - lastForce, load);
     addResponse(system_.objects, load, predicted_);
-    constrain(predicted_);
     velocity_.change() = predicted_;
     return true;
 }

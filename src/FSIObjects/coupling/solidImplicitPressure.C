@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "solidImplicit.H"
+#include "globalMeshData.H"
+#include "largestSpeed.H"
 #include "objectResponse.H"
 #include "openLaplacian.H"
 
@@ -44,7 +46,9 @@ void Foam::fsi::solidImplicit::solvePressure
     vectorField oldPart;
     term_.velocity(last, oldPart);
     scalarField source(p.size());
-    system_.walls.flux(oldPart - velocity_.surface(), source);
+    system_.walls.flux(velocity_.surface() - oldPart, source);
+    system_.walls.addGivenFlux(source);
+    source.negate();
     subtractOutflow(phiHbyA, source);
 
     if (passes_.done() == 0)
@@ -103,7 +107,10 @@ void Foam::fsi::solidImplicit::correctVelocity
             system_.fluid.responseGuess(source, alone, system_.viscosity),
             alone,
             U
-        )
+        ),
+        U.mesh().globalData().nTotalCells()*sqr(system_.restSpeed()),
+        largestSpeed(velocity_.change()),
+        largestSpeed(U, fluid)
     );
 }
 

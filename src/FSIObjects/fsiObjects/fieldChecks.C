@@ -6,6 +6,7 @@
 #include "fluidRegions.H"
 #include "fsiSystem.H"
 #include "openfoamMesh.H"
+#include "patchChecks.H"
 #include "sharedPatches.H"
 #include "sumOverRanks.H"
 #include "wallPolyPatch.H"
@@ -237,6 +238,7 @@ void Foam::fsi::fieldChecks::check
     checkPressure(p);
     checkControls(p.mesh(), p.name());
     checkControls(p.mesh(), U.name());
+    patchChecks::check(p, U, system);
     checkInlets(U, system.geometry.activeCell());
     checkRegions(p, U, system);
 }

@@ -171,19 +171,21 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
         (
             objects_.error().rate(), U_.time().deltaTValue()
         );
-        do
+        bool more = true;
+        while (more)
         {
             const tmp<volVectorField> tgradP(objects_.coupling().gradient(p_));
             momentum(tconvective(), tgradP(), change, sources);
             change = expectedChange();
             setFlux(tconvective, tgradP());
             pressure(tgradP(), sources);
-            if (immersed.rule().secondOrder())
+            const bool counts = !objects_.coupling().refused();
+            more = objects_.coupling().again(p_, U_);
+            if (more && counts && immersed.rule().secondOrder())
             {
                 tconvective = immersed.furtherConvectiveFlux(phi_);
             }
         }
-        while (objects_.coupling().again(p_, U_));
 
         objects_.system().fluid.storeFaceVelocity
         (

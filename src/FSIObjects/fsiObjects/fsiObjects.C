@@ -123,6 +123,7 @@ void Foam::fsi::fsiObjects::checkMotion() const
     const motionCheck check(system_.objects, mesh_.time());
     check.checkSpeeds(system_.grid.bounds().span(), system_.grid.spacing());
     check.checkElements();
+    check.checkPrescribed(system_.sides.period());
 }
 
 
@@ -184,7 +185,7 @@ void Foam::fsi::fsiObjects::startStep
     system_.addBodyForce(force);
     if (coupling_->hasFluid())
     {
-        system_.addOutsidePressure(p, force);
+        system_.addOutsidePressure(p, U, force);
     }
     for (bodyGroup& group : system_.objects.groups())
     {
@@ -206,7 +207,8 @@ void Foam::fsi::fsiObjects::finishStep(volScalarField& p, volVectorField& U)
         (
             U,
             system_.geometry.fluidCell(),
-            coupling_->splittingError()
+            coupling_->splittingError(),
+            system_.restSpeed()
         );
     }
     coupling_->end(p, U);

@@ -121,7 +121,8 @@ void Foam::fsi::timeError::measure
 (
     const volVectorField& U,
     const boolList& fluid,
-    const scalar ofSplitting
+    const scalar ofSplitting,
+    const scalar restSpeed
 )
 {
     const scalarList ofCells(sums(U, fluid));
@@ -131,7 +132,7 @@ void Foam::fsi::timeError::measure
     ofTime_ =
         first
       ? 0
-      : factor()*sqrt(ofCells[0]/nCells)/max(scale_, VSMALL);
+      : factor()*sqrt(ofCells[0]/nCells)/max(scale_, restSpeed);
     ofSplitting_ = ofSplitting;
     nKnown_ = min(nKnown_ + 1, 2);
     before_ = rate_.time().deltaT0Value();

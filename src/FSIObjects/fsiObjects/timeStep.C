@@ -135,6 +135,12 @@ void Foam::fsi::timeStep::warn
 }
 
 
+Foam::scalar Foam::fsi::timeStep::byCourant(const scalar courantNo) const
+{
+    return maxCo_*time_.deltaTValue()/max(courantNo, SMALL);
+}
+
+
 Foam::scalar Foam::fsi::timeStep::limit
 (
     const scalar courantNo,
@@ -142,7 +148,7 @@ Foam::scalar Foam::fsi::timeStep::limit
 ) const
 {
     const scalar dt = time_.deltaTValue();
-    scalar limit = maxCo_*dt/max(courantNo, SMALL);
+    scalar limit = byCourant(courantNo);
     if (maxDiffusion_ > 0)
     {
         limit = min(limit, maxDiffusion_/objects.diffusionRate());
@@ -196,7 +202,8 @@ Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
 void Foam::fsi::timeStep::checkCollapse
 (
     const scalar dt,
-    const scalar fluidSpeed,
+    const scalar fluid,
+    const scalar solid,
     const fsiObjects& objects
 )
 {
@@ -212,9 +219,18 @@ void Foam::fsi::timeStep::checkCollapse
     FatalErrorInFunction
         << "At time " << nameOf(time_) << " the time step falls to " << dt
         << " s, below " << floor_.value() << " s";
-    if (fluidSpeed >= 0)
+    const scalar courantNo = max(fluid, solid);
+    if (limit(courantNo, objects) < byCourant(courantNo))
     {
-        FatalError<< ": the fluid moves at " << fluidSpeed << " m/s";
+        FatalError
+            << nl << "This is no matter of speed: maxTimeError or maxDiffusion"
+            << " of the controlDict asks for it. Take a larger one, or set"
+            << " minDeltaT" << exit(FatalError);
+    }
+    if (fluid > solid)
+    {
+        FatalError
+            << ": the fluid moves at " << objects.speedOf(fluid) << " m/s";
     }
     else
     {
@@ -247,10 +263,7 @@ Foam::scalar Foam::fsi::timeStep::next
         return dt;
     }
     const scalar chosen = choose(limit(max(fluid, solid), objects));
-    checkCollapse
-    (
-        chosen, fluid > solid ? objects.speedOf(fluid) : -1, objects
-    );
+    checkCollapse(chosen, fluid, solid, objects);
     return chosen;
 }
 

@@ -178,6 +178,26 @@ void Foam::fsi::seeding::checkContacts() const
 }
 
 
+void Foam::fsi::seeding::checkVelocities(const dictionary& placements) const
+{
+    for (label i = 0; i < space_->size(); ++i)
+    {
+        const placedObject& object = (*space_)[i];
+        const scalar speed = mag(object.velocity) + mag(object.angularVelocity);
+        if (space_->attached(object.shape) && speed > 0)
+        {
+            FatalIOErrorInFunction(placements)
+                << "Entry 'velocity' or 'angularVelocity' of placement "
+                << object.placement << " in dictionary " << placements.name()
+                << " gives " << space_->description(i).c_str()
+                << " a velocity, but its shape has a prescribed motion: give"
+                << " the velocity there (entry 'motion' of the shape)"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::fsi::seeding::populate()
 {
     const label n = space_->size();
@@ -213,6 +233,7 @@ Foam::fsi::seeding::seeding
     checkKeys(dict, {"FoamFile", "shapes", "placements"});
     addShapes(dict.subDict("shapes"));
     place(dict.subDict("placements"));
+    checkVelocities(dict.subDict("placements"));
     checkContacts();
     populate();
 }

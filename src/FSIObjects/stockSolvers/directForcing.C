@@ -36,10 +36,12 @@ Foam::fsi::directForcing::directForcing
     noFluid(system, timer, dictionary::null),
     strength_(readPositive(dict, "strength", 1000)),
     virtualMass_(readNonNegative(dict, "virtualMass", 1)),
-    coverage_(system.grid, max(label(readPositive(dict, "samples", 4)), 1))
+    coverage_(system.grid, max(label(readPositive(dict, "samples", 4)), 1)),
+    renewed_(true)
 {
     checkKeys(dict, {"type", "strength", "virtualMass", "samples"});
     system.objects.layout().zero(load_);
+    system.objects.layout().zero(lag_);
     lastVelocity_ = objectVelocities();
 }
 
@@ -70,6 +72,38 @@ Foam::fsi::directForcing::objectVelocities() const
         velocities[groupi] = groups[groupi].velocities();
     }
     return velocities;
+}
+
+
+Foam::fsi::directForcing::groupNodal
+Foam::fsi::directForcing::lag(const vectorField& U) const
+{
+    const UList<label>& cells = coverage_.cells();
+    const scalarField mass
+    (
+        system_.fluidDensity*coverage_.fractions()
+       *scalarField(system_.grid.mesh().V(), cells)
+    );
+    vectorField momentum(cells.size());
+    forAll(cells, i)
+    {
+        momentum[i] = mass[i]*(U[cells[i]] - cellVelocity_[i]);
+    }
+    return nodesOf(momentum);
+}
+
+
+Foam::fsi::directForcing::groupNodal
+Foam::fsi::directForcing::nodesOf(const vectorField& values) const
+{
+    groupNodal nodal;
+    system_.objects.layout().zero(nodal);
+    coverage_.spread(values, nodal);
+    for (Eigen::MatrixXd& ofGroup : nodal)
+    {
+        sumOverRanks(ofGroup);
+    }
+    return nodal;
 }
 
 
@@ -107,9 +141,8 @@ void Foam::fsi::directForcing::takeLoad(const vectorField& U)
     {
         reaction[i] = rho*coefficient_[i]*(U[cells[i]] - cellVelocity_[i]);
     }
-    groupNodal load;
-    system_.objects.layout().zero(load);
-    coverage_.spread(reaction, load);
+    groupNodal load(nodesOf(reaction));
+    const groupNodal newLag(lag(U));
 
     forAll(load, groupi)
     {
@@ -117,8 +150,8 @@ void Foam::fsi::directForcing::takeLoad(const vectorField& U)
         const shapeTemplate& shape = group.shape();
         const scalar density = shape.density();
         const scalar omega = density/(density + virtualMass_*rho);
-        sumOverRanks(load[groupi]);
 
+        load[groupi] += (newLag[groupi] - lag_[groupi])/dt0;
         const scalar inertia = rho/(density*dt0);
         for (Eigen::Index nodei = 0; nodei < load[groupi].rows(); ++nodei)
         {
@@ -131,8 +164,20 @@ void Foam::fsi::directForcing::takeLoad(const vectorField& U)
         }
         load_[groupi] += omega*(load[groupi] - load_[groupi]);
     }
+    lag_ = newLag;
     lastVelocity_ = objectVelocities();
     setHydrodynamicForce();
+}
+
+
+void Foam::fsi::directForcing::takeObjects(const vectorField& U)
+{
+    if (renewed_)
+    {
+        renewed_ = false;
+        updateCoverage();
+        lag_ = lag(U);
+    }
 }
 
 
@@ -156,6 +201,7 @@ void Foam::fsi::directForcing::renew()
     noFluid::renew();
     system_.objects.layout().zero(load_);
     lastVelocity_ = objectVelocities();
+    renewed_ = true;
 }
 
 

@@ -161,6 +161,7 @@ void Foam::fsi::forcedObjects::advance()
         auto& p = mesh_.lookupObjectRef<volScalarField>(pressureName_);
         forcing_.takeLoad(U.oldTime().primitiveField());
         objects_.startStep(p, oldTimeOf(U));
+        forcing_.takeObjects(U.oldTime().primitiveField());
         objects_.finishStep(p, U);
         forcing_.updateCoverage();
         objects_.write();

@@ -137,15 +137,16 @@ void Foam::fsi::fsiSystem::addBodyForce(groupNodal& force) const
 void Foam::fsi::fsiSystem::addOutsidePressure
 (
     const volScalarField& p,
+    const volVectorField& U,
     groupNodal& force
-) const
+)
 {
     if (!sides.anyOpen())
     {
         return;
     }
     vectorField nodal;
-    walls.outsideForce(p, nodal);
+    walls.setOutside(p, U, nodal);
     nodal *= fluidDensity;
     groupNodal outside;
     objects.layout().toGroups(nodal, outside);

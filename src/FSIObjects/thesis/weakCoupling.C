@@ -130,7 +130,9 @@ void Foam::fsi::weakCoupling::solvePressure
     tmp<fvScalarMatrix> tpEqn(openLaplacian(system_.geometry, p, rAU));
     fvScalarMatrix& pEqn = tpEqn.ref();
 
-    system_.walls.flux(-wallVelocity_, pEqn.source());
+    system_.walls.flux(wallVelocity_, pEqn.source());
+    system_.walls.addGivenFlux(pEqn.source());
+    pEqn.source().negate();
     subtractOutflow(phiHbyA, pEqn.source());
     fluidRegions(system_.geometry, p).removeNetSource(pEqn.source());
 

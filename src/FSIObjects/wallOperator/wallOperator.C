@@ -124,38 +124,42 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
     setEntries();
     setCuts(surfaces);
     transposeSums(scalarField(cells_.size(), 1), uniformForce_);
-    vectorField cut(nNodes_, Zero);
-    forAll(cutNodes_, i)
-    {
-        cut[cutNodes_[i]] -= cutAreas_[i];
-    }
-    sumOverRanks(cut);
-    uniformForce_ += cut;
+    givenFlux_.setSize(nObjects_);
+    givenFlux_ = Zero;
 }
 
 
-void Foam::fsi::wallOperator::outsideForce
+void Foam::fsi::wallOperator::setOutside
 (
     const volScalarField& p,
+    const volVectorField& U,
     vectorField& force
-) const
+)
 {
-    // The mean pressure of each object, and with it J^T p
-    transposeSums(atWalls(p), force);
+    force.setSize(nNodes_);
     force = Zero;
-
+    givenFlux_ = Zero;
+    vectorField cut(nNodes_, Zero);
     const polyBoundaryMesh& boundary = p.mesh().boundaryMesh();
     forAll(cutNodes_, i)
     {
         const label patchi = boundary.whichPatch(cutFaces_[i]);
+        const label facei = cutFaces_[i] - boundary[patchi].start();
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
-        const scalar outside =
-            pp.fixesValue()
-          ? pp[cutFaces_[i] - boundary[patchi].start()]
-          : meanPressure_[pointObject_[cutNodes_[i]]];
-        force[cutNodes_[i]] -= outside*cutAreas_[i];
+        if (pp.fixesValue())
+        {
+            cut[cutNodes_[i]] -= cutAreas_[i];
+            force[cutNodes_[i]] -= pp[facei]*cutAreas_[i];
+        }
+        else
+        {
+            givenFlux_[pointObject_[cutNodes_[i]]] +=
+                cutAreas_[i] & U.boundaryField()[patchi][facei];
+        }
     }
+    sumOverRanks(cut, givenFlux_);
     sumOverRanks(force);
+    uniformForce_ += cut;
 }
 
 

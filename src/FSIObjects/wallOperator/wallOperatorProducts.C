@@ -83,6 +83,16 @@ void Foam::fsi::wallOperator::flux
 }
 
 
+void Foam::fsi::wallOperator::addGivenFlux(scalarField& Jv) const
+{
+    const scalarField perArea(givenFlux_*perArea_);
+    for (const entry& w : entries_)
+    {
+        Jv[cells_[w.cell]] += w.share*perArea[w.object];
+    }
+}
+
+
 void Foam::fsi::wallOperator::addGrossFluxAtWalls
 (
     const vectorField& v,

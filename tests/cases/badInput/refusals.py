@@ -192,7 +192,15 @@ def check_control(report, case):
         case.control(deltaT=value)
         refused(report, f"time step {value}", case, "fsiPisoFoam",
                 ("FATAL IO ERROR", "controlDict", "deltaT"))
-    case.control(deltaT=0.01)
+    case.control(deltaT=0.01, minDeltaT=1)
+    refused(report, "minDeltaT above deltaT", case, "fsiPisoFoam",
+            ("FATAL IO ERROR", "controlDict", "'minDeltaT'", "0.01"))
+    del case.controls["minDeltaT"]
+    case.control(adjustTimeStep="yes", maxTimeError=1e-12, endTime=1)
+    refused(report, "maxTimeError that no step can have", case, "fsiPisoFoam",
+            ("FATAL ERROR", "maxTimeError", "no matter of speed"))
+    del case.controls["maxTimeError"]
+    case.control(adjustTimeStep="no", endTime=0.01)
 
     for kind, name, scheme, valid in (
             ("ddtSchemes", "default", "steadyState", "backward"),

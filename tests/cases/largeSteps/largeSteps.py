@@ -15,6 +15,10 @@ drives the fluid through, mean velocity.
 
 A film that fixed plates close off has no pressure but rounding errors: it does
 nothing to the channel between them.
+
+Objects in a cavity whose lid moves stay as slow as it where a step is
+thousands of viscous times: starts of passes lie hundreds of changes ahead
+there. Nodes inside soft ones may be faster than the fluid.
 """
 
 import math
@@ -150,6 +154,36 @@ def check_closed(report, folder):
                  f"{iterations}")
 
 
+def check_lid(report, folder):
+    """dt nu/h^2 of 5760, 2560, 2.6e4 and 2.6e4; largest speed of a node."""
+    soft, rigid = "density 1.5; E 20;", "type rigid; density {};"
+    for name, cells, viscosity, material, most in (
+            ("soft disc", (24, 24), 1000, soft, 4),
+            ("soft sphere", (16, 16, 16), 1000, soft, 2),
+            ("rigid sphere", (16, 16, 16), 1e4, rigid.format(1.5), 0.5),
+            ("light rigid sphere", (16, 16, 16), 1e4, rigid.format(0.1), 0.5)):
+        plane = len(cells) == 2
+        kind, centre = ("circle", ".35 .35 0") if plane else (
+            "sphere", ".3 .3 .3")
+        case = fsiCase.Case(
+            os.path.join(folder, name.replace(" ", "-")),
+            box=(0, 0, 1, 1) if plane else (0, 0, 0, 1, 1, 1), cells=cells,
+            viscosity=viscosity, walls={"top": "(1 0 0)"}, density=1,
+            shapes=f"a {{ shape {{ type {kind}; radius "
+                   f"{0.2 if plane else 0.15}; }} "
+                   f"material {{ {material} }} }}",
+            placements="p { type listed; shape a; "
+                       f"objects ({{ centre ({centre}); }}); }}",
+            deltaT=0.01, endTime=0.05).set_up()
+        if not report.attempt(name, case.run, "fsiPisoFoam"):
+            continue
+        speeds = [row["maxSpeed"]
+                  for row in results.table(case.path, "global.csv")]
+        report.check(f"a {name} at large steps is no faster than the lid",
+                     len(speeds) == 5 and 0.01 < max(speeds) < most,
+                     f"speeds {speeds}")
+
+
 def check_smooth(report, folder):
     """No cell out of the flow around it."""
     large, n_large = solve(os.path.join(folder, "large"), STEP)
@@ -170,6 +204,7 @@ def main(folder):
     report.attempt("steady flow", check_steady, report, folder)
     report.attempt("steady flow around walls", check_array, report, folder)
     report.attempt("closed film", check_closed, report, folder)
+    report.attempt("driven cavity", check_lid, report, folder)
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ import sys
 
 import fsiCase
 import results
-from openChannel import CELLS, PLUG, SPEED, channel
+from openChannel import CELLS, OPEN, PLUG, SPEED, channel
 
 
 def solve(*args, **parameters):
@@ -138,6 +138,28 @@ def check_feed(report, folder):
                  f"objects {list(one)} and {list(other)}, or their places")
 
 
+def check_long(report, folder):
+    """Soft discs cross the inlet of a long channel at its speed, and the fluid
+    of the whole channel is no mass of theirs."""
+    case = report.attempt(
+        "feed into a long channel", solve, folder, "long", (),
+        box=(0, 0, 4, 1), cells=(128, 32), velocity="(0.5 0 0)", density=1000,
+        viscosity=0.01,
+        open={**OPEN, "left": (OPEN["left"][0].replace("(1 ", "(0.5 "),
+                               OPEN["left"][1])},
+        shapes="disc { shape { type circle; radius 0.1; } "
+               "material { density 1100; E 1e4; } }",
+        placements="", endTime=0.7, p_tolerance=1e-7, U_tolerance=1e-8,
+        properties="output { objectsEvery 1; } boundaries { feed { left { "
+                   "shape disc; rate 3; velocity (0.5 0 0); } } }\n")
+    if case is None:
+        return
+    speeds = [r["velocityX"] for r in results.table(case, "objects.csv")]
+    report.check("discs cross the inlet of a long channel at its speed",
+                 len(speeds) > 50 and 0.45 < min(speeds) <= max(speeds) < 0.55,
+                 f"{len(speeds)} from {min(speeds)} to {max(speeds)} m/s")
+
+
 def check_crowd(report, folder):
     """A feed that is faster than there is room waits."""
     case = report.attempt(
@@ -197,6 +219,7 @@ def main(folder):
     check_uniform(report, folder)
     check_pressure(report, folder)
     check_feed(report, folder)
+    check_long(report, folder)
     check_crowd(report, folder)
     check_names(report, folder)
 

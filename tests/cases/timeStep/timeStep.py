@@ -126,10 +126,28 @@ def check_error(report, folder):
                  f"in {sum(same)} of {len(after)} steps")
 
 
+def check_rest(report, folder):
+    """A disc as heavy as the fluid stays at rest: rounding is no error."""
+    case = fsiCase.Case(
+        os.path.join(folder, "still"), cells=(32, 32), density=1000,
+        gravity="(0 -9.81 0)", endTime=0.3,
+        shapes="disc { shape { type circle; radius 0.15; }"
+               " material { density 1000; E 1e4; } }",
+        placements="a { type listed; shape disc;"
+                   " objects ({ centre (0.4 0.6 0); }); }").set_up()
+    log = case.run("fsiPisoFoam")
+    report.check("a flow at rest has no error",
+                 "The step is too large" not in log
+                 and max(errors(case)) < 1e-3, f"{max(errors(case))}")
+    report.check("the log counts one pass", " passes 1 " in log,
+                 log.splitlines()[-30:])
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
     report.attempt("error", check_error, report, folder)
+    report.attempt("rest", check_rest, report, folder)
     report.attempt("start", check_start, report, folder)
     report.attempt("restart", check_restart, report, folder)
 
