@@ -4,6 +4,7 @@
 #include "errorOf.H"
 #include "dictionaryCheck.H"
 #include "openfoamVersion.H"
+#include "userVariables.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -138,7 +139,12 @@ Foam::fsi::openBoundaries::openBoundaries
     const dictionary& feeds = dict.subOrEmptyDict("feed");
     for (const entry& e : feeds)
     {
-        if (!e.isDict() || sides.findPatch(e.keyword()) < 0)
+        const bool open = sides.findPatch(e.keyword()) >= 0;
+        if (!open && userVariables::has(feeds, e.keyword()))
+        {
+            continue;
+        }
+        if (!e.isDict() || !open)
         {
             FatalIOErrorInFunction(feeds)
                 << "Entry '" << e.keyword() << "' in dictionary "

@@ -11,6 +11,7 @@
 #include "IStringStream.H"
 #include "OStringStream.H"
 #include "secondOrderStep.H"
+#include "userVariables.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -22,7 +23,7 @@ namespace fsi
 //- Check the keys of fsiProperties before anything is read from it
 static const dictionary& checked(const dictionary& dict)
 {
-    checkKeys
+    userVariables::checkFileKeys
     (
         dict,
         {

@@ -8,6 +8,7 @@
 #include "openfoamVersion.H"
 #include "placement.H"
 #include "shapeCheck.H"
+#include "userVariables.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -18,6 +19,10 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
     boolList prescribed;
     for (const entry& e : dict)
     {
+        if (userVariables::isAside(dict, e, {"shape", "material"}))
+        {
+            continue;
+        }
         if (!e.isDict())
         {
             FatalIOErrorInFunction(dict)
@@ -128,6 +133,10 @@ void Foam::fsi::seeding::place(const dictionary& dict)
 {
     for (const entry& e : dict)
     {
+        if (userVariables::isAside(dict, e, {"type", "shape"}))
+        {
+            continue;
+        }
         if (!e.isDict())
         {
             FatalIOErrorInFunction(dict)
@@ -230,7 +239,7 @@ Foam::fsi::seeding::seeding
     domain_(domain),
     objects_(time, domain.nDims, centreOf(domain.bounds).z())
 {
-    checkKeys(dict, {"FoamFile", "shapes", "placements"});
+    userVariables::checkFileKeys(dict, {"FoamFile", "shapes", "placements"});
     addShapes(dict.subDict("shapes"));
     place(dict.subDict("placements"));
     checkVelocities(dict.subDict("placements"));

@@ -2,8 +2,10 @@
 
 #include "dictionaryCheck.H"
 #include "errorOf.H"
+#include "misspelling.H"
 #include "openfoamTypes.H"
 #include "openfoamVersion.H"
+#include "userVariables.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -34,6 +36,20 @@ static scalar checked
     return value;
 }
 
+
+//- Does a pattern match a name?
+static bool matchesAny(const keyType& pattern, const wordList& names)
+{
+    for (const word& name : names)
+    {
+        if (pattern.match(name))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -42,16 +58,42 @@ static scalar checked
 
 void Foam::fsi::checkKeys(const dictionary& dict, const wordList& known)
 {
+    wordList variables;
     for (const entry& e : dict)
     {
-        if (!e.keyword().isPattern() && !isIn(known, e.keyword()))
+        const keyType& key = e.keyword();
+        const bool isKnown =
+            key.isPattern() ? matchesAny(key, known) : isIn(known, word(key));
+        if (isKnown)
         {
-            FatalIOErrorInFunction(dict)
-                << "Unknown entry '" << e.keyword() << "' in dictionary "
-                << dict.name() << nl
-                << "Valid entries are " << flatOutput(known)
-                << exit(FatalIOError);
+            continue;
         }
+        const word valid(meant(key, known));
+        if
+        (
+            !key.isPattern()
+         && (
+                userVariables::has(dict, key)
+             || (valid.empty() && userVariables::isCopied(dict, key))
+            )
+        )
+        {
+            variables.append(key);
+            continue;
+        }
+        FatalIOErrorInFunction(dict)
+            << "Unknown entry '" << key << "' in dictionary " << dict.name();
+        if (!valid.empty())
+        {
+            FatalIOError<< ": is " << valid << " meant?";
+        }
+        FatalIOError
+            << nl << "Valid entries are " << flatOutput(known)
+            << exit(FatalIOError);
+    }
+    for (const word& name : variables)
+    {
+        const_cast<dictionary&>(dict).remove(name);
     }
 }
 
