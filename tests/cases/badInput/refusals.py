@@ -69,7 +69,7 @@ SEEDING = [
 
 # Text that is added to fsiProperties
 PROPERTIES = [
-    ("wrong key in fsiProperties", "colour red;", ("colour", "gravity")),
+    ("wrong key in fsiProperties", "gravty (0 1 0);", ("gravty", "gravity")),
     ("wrong key of the coupling", "coupling { colour red; }",
      ("colour", "coupling")),
     ("wrong key of the level set", "levelSet { colour red; }",
