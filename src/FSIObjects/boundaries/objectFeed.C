@@ -194,7 +194,7 @@ Foam::fsi::objectFeed::objectFeed
     maxAttempts_(readBetween(dict, "maxAttempts", 100, 1, 1000000)),
     nFed_(0),
     nDraws_(0),
-    nextTime_(dict.lookupOrDefault<scalar>("startTime", 0)),
+    nextTime_(readScalarBetween(dict, "startTime", 0, -GREAT, GREAT)),
     waiting_(false)
 {
     check(dict);

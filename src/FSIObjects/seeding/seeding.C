@@ -7,8 +7,43 @@
 #include "newShapeMesh.H"
 #include "openfoamVersion.H"
 #include "placement.H"
+#include "shape.H"
 #include "shapeCheck.H"
+#include "surfaceFile.H"
 #include "userVariables.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- FatalIOError unless an entry is the dictionary of a shape
+static void checkShapeEntry(const dictionary& dict, const entry& e)
+{
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << e.keyword() << "' in dictionary "
+            << dict.name() << " must be the dictionary of a shape"
+            << exit(FatalIOError);
+    }
+    checkName(dict, e.keyword());
+    checkKeys
+    (
+        e.dict(),
+        {
+            "shape", "mesh", "material", "admm",
+            "nodeSpacing", "minimumCells", "motion"
+        }
+    );
+    checkSubDicts(e.dict(), {"shape", "mesh", "material", "admm", "motion"});
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -17,22 +52,10 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
     List<closedSurface> surfaces;
     wordList names;
     boolList prescribed;
-    for (const entry& e : dict)
+    pointField places;
+    const auto add = [&](const word& name, const dictionary& d, const shape& b)
     {
-        if (userVariables::isAside(dict, e, {"shape", "material"}))
-        {
-            continue;
-        }
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' in dictionary "
-                << dict.name() << " must be the dictionary of a shape"
-                << exit(FatalIOError);
-        }
-        checkName(dict, e.keyword());
-        addShape(e.dict());
-
+        addShape(name, d, b);
         const shapeTemplate& shape = objects_.groups().last().shape();
         surfaces.append
         (
@@ -44,17 +67,38 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         );
         names.append(shape.name());
         prescribed.append(!objects_.groups().last().movesFreely());
+        places.append(b.centroid());
+    };
+    for (const entry& e : dict)
+    {
+        if (userVariables::isAside(dict, e, {"shape", "material"}))
+        {
+            continue;
+        }
+        checkShapeEntry(dict, e);
+        const dictionary& shapeDict = e.dict().subDict("shape");
+        const PtrList<shape> pieces
+        (
+            domain_.nDims == 3
+         && shapeDict.lookupOrDefault<word>("type", "") == "surface"
+          ? surfaceFile::allPieces(shapeDict)
+          : PtrList<shape>()
+        );
+        forAll(pieces, i)
+        {
+            add(e.keyword() + '_' + Foam::name(i + 1), e.dict(), pieces[i]);
+        }
+        if (pieces.empty())
+        {
+            add(e.keyword(), e.dict(), *shape::New(shapeDict, domain_.nDims));
+        }
     }
     space_.reset
     (
         new packing
         (
-            domain_.bounds,
-            domain_.spacing,
-            names,
-            surfaces,
-            domain_.period,
-            prescribed
+            domain_.bounds, domain_.spacing, names, surfaces,
+            domain_.period, prescribed, places
         )
     );
 }
@@ -73,24 +117,20 @@ bool Foam::fsi::seeding::needsInside(const dictionary& dict) const
 }
 
 
-void Foam::fsi::seeding::addShape(const dictionary& dict)
+void Foam::fsi::seeding::addShape
+(
+    const word& name,
+    const dictionary& dict,
+    const shape& body
+)
 {
-    checkKeys
-    (
-        dict,
-        {
-            "shape", "mesh", "material", "admm",
-            "nodeSpacing", "minimumCells", "motion"
-        }
-    );
-    checkSubDicts(dict, {"shape", "mesh", "material", "admm", "motion"});
-    checkShape(dict, domain_);
+    const scalar thickness = checkShape(dict, body, domain_);
     const scalar nodeSpacing =
         readPositive(dict, "nodeSpacing", domain_.spacing);
     if (nodeSpacing < 0.65*domain_.spacing)
     {
         WarningInFunction
-            << "Nodes of shape " << dict.dictName() << " are " << nodeSpacing
+            << "Nodes of shape " << name << " are " << nodeSpacing
             << " m apart, cells " << domain_.spacing << " m: some nodes do not"
             << " meet the fluid then, and soft bodies may become unstable"
             << nl
@@ -109,10 +149,11 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
         (
             new shapeTemplate
             (
-                dict.dictName(),
+                name,
                 shapeDict,
                 newShapeMesh
                 (
+                    body,
                     dict.subDict("shape"),
                     domain_.nDims,
                     nodeSpacing,
@@ -126,6 +167,11 @@ void Foam::fsi::seeding::addShape(const dictionary& dict)
         ),
         dict.subOrEmptyDict("motion")
     );
+    if (objects_.groups().last().movesFreely())
+    {
+        const scalar cells = readNonNegative(dict, "minimumCells", 3);
+        thickness_.append(seedRecord::thickness{name, thickness, cells});
+    }
 }
 
 
@@ -145,64 +191,6 @@ void Foam::fsi::seeding::place(const dictionary& dict)
                 << exit(FatalIOError);
         }
         placement::New(e.keyword(), e.dict(), *space_)->place(*space_);
-    }
-}
-
-
-void Foam::fsi::seeding::checkContacts() const
-{
-    label nTouching = 0, first = -1, other = -1;
-    for (label i = 0; i < space_->size() && domain_.contactRange > 0; ++i)
-    {
-        // Nothing pushes objects with a prescribed motion
-        if (space_->attached((*space_)[i].shape))
-        {
-            continue;
-        }
-        const label found = space_->findConflict
-        (
-            space_->surface(i), domain_.contactRange, i
-        );
-        if (found >= 0 && nTouching++ == 0)
-        {
-            first = i;
-            other = found;
-        }
-    }
-    if (nTouching)
-    {
-        const scalar gap =
-            space_->distance(space_->surface(first), other);
-        WarningInFunction
-            << nTouching << " objects are nearer to another than the range of"
-            << " contact, " << domain_.contactRange
-            << " m: their range is the gap at first, and laws that attract"
-            << " push them from the start." << nl
-            << "    The first is " << space_->description(first).c_str() << nl
-            << "    with the gap " << gap << " m to "
-            << space_->description(other).c_str() << nl
-            << "    Entry 'minimumGap' of a placement keeps them apart" << nl
-            << endl;
-    }
-}
-
-
-void Foam::fsi::seeding::checkVelocities(const dictionary& placements) const
-{
-    for (label i = 0; i < space_->size(); ++i)
-    {
-        const placedObject& object = (*space_)[i];
-        const scalar speed = mag(object.velocity) + mag(object.angularVelocity);
-        if (space_->attached(object.shape) && speed > 0)
-        {
-            FatalIOErrorInFunction(placements)
-                << "Entry 'velocity' or 'angularVelocity' of placement "
-                << object.placement << " in dictionary " << placements.name()
-                << " gives " << space_->description(i).c_str()
-                << " a velocity, but its shape has a prescribed motion: give"
-                << " the velocity there (entry 'motion' of the shape)"
-                << exit(FatalIOError);
-        }
     }
 }
 
@@ -245,43 +233,6 @@ Foam::fsi::seeding::seeding
     checkVelocities(dict.subDict("placements"));
     checkContacts();
     populate();
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::seeding::report(Ostream& os) const
-{
-    const bool plane = domain_.nDims == 2;
-    const char* size = plane ? "area " : "volume ";
-    const char* unit = plane ? " m2" : " m3";
-    const char* fraction = plane ? ", area fraction " : ", volume fraction ";
-    scalar sum = 0;
-    forAll(objects_.groups(), groupi)
-    {
-        const bodyGroup& group = objects_.groups()[groupi];
-        const shapeTemplate& shape = group.shape();
-        const bool free = group.movesFreely();
-        const scalar ofShape = group.size()*shape.referenceVolume();
-        sum += free ? ofShape : 0;
-        os  << "    " << shape.name() << ": " << group.size() << " objects of "
-            << shape.nNodes() << " nodes (" << shape.nBoundaryNodes()
-            << " on the boundary), " << size << shape.referenceVolume()
-            << unit << ", mass " << shape.mass() << " kg, ";
-        if (free)
-        {
-            os  << "free" << fraction << ofShape/domain_.size() << nl;
-        }
-        else
-        {
-            // Obstacles may reach beyond the domain
-            os  << "prescribed motion" << nl;
-        }
-    }
-    os  << "    all: " << objects_.size() << " objects, "
-        << objects_.nNodes() << " nodes, "
-        << objects_.surfaces().points().size() << " on the boundary"
-        << fraction << sum/domain_.size() << " of the free ones" << endl;
 }
 
 

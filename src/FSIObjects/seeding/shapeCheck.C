@@ -54,8 +54,9 @@ static void checkSize
 }
 
 
-//- Fatal if a body is thinner than minimumCells cells
-static void checkThickness
+//- The least thickness. Fatal if a body is thinner than minimumCells cells, or
+//  lost among nodes
+static scalar checkThickness
 (
     const dictionary& dict,
     const shape& body,
@@ -77,6 +78,20 @@ static void checkThickness
             << " is at your own risk"
             << exit(FatalIOError);
     }
+
+    // The mesh's surface is up to a ninth of the distance of nodes off
+    const scalar nodeSpacing =
+        readPositive(dict, "nodeSpacing", domain.spacing);
+    if (domain.nDims == 3 && thickness < 0.2*nodeSpacing)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'shape' of dictionary " << dict.name()
+            << " describes an object that is " << thickness
+            << " m thick at its thinnest: it cannot be meshed with nodes "
+            << nodeSpacing << " m apart (entry 'nodeSpacing')" << nl
+            << "Take a finer mesh or a larger shape" << exit(FatalIOError);
+    }
+    return thickness;
 }
 
 } // End namespace fsi
@@ -85,18 +100,19 @@ static void checkThickness
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::checkShape(const dictionary& dict, const seedDomain& domain)
+Foam::scalar Foam::fsi::checkShape
+(
+    const dictionary& dict,
+    const shape& body,
+    const seedDomain& domain
+)
 {
-    const autoPtr<shape> body
-    (
-        shape::New(dict.subDict("shape"), domain.nDims)
-    );
     const word motion
     (
         dict.subOrEmptyDict("motion").lookupOrDefault<word>("type", "free")
     );
-    checkSize(dict, *body, domain, motion != "free");
-    checkThickness(dict, *body, domain);
+    checkSize(dict, body, domain, motion != "free");
+    return checkThickness(dict, body, domain);
 }
 
 

@@ -14,6 +14,10 @@ namespace Foam
 namespace fsi
 {
 
+//- Its powers still are numbers, in what is computed from it
+static const scalar leastPositive = 1e-50;
+
+
 //- Fatal unless the value of the key holds the condition
 static scalar checked
 (
@@ -30,7 +34,7 @@ static scalar checked
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' in dictionary " << dict.name()
             << " is " << value << " but must be " << condition
-            << (value < GREAT ? "" : " and < 1e15")
+            << (value > 0 ? ", by at least 1e-50" : "")
             << exit(FatalIOError);
     }
     return value;
@@ -121,14 +125,14 @@ Foam::scalar Foam::fsi::readPositive
 )
 {
     const scalar value = readEntryOr<scalar>(dict, key, defaultValue);
-    return checked(dict, key, value, value > 0 && value < GREAT, "> 0");
+    return checked(dict, key, value, value >= leastPositive, "> 0");
 }
 
 
 Foam::scalar Foam::fsi::readPositive(const dictionary& dict, const word& key)
 {
     const scalar value = readEntry<scalar>(dict, key);
-    return checked(dict, key, value, value > 0 && value < GREAT, "> 0");
+    return checked(dict, key, value, value >= leastPositive, "> 0");
 }
 
 
@@ -140,7 +144,10 @@ Foam::scalar Foam::fsi::readNonNegative
 )
 {
     const scalar value = readEntryOr<scalar>(dict, key, defaultValue);
-    return checked(dict, key, value, value >= 0 && value < GREAT, ">= 0");
+    return checked
+    (
+        dict, key, value, value == 0 || value >= leastPositive, ">= 0"
+    );
 }
 
 

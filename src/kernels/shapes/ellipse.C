@@ -3,6 +3,7 @@
 #include "ellipse.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "errorOf.H"
 #include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -21,10 +22,10 @@ namespace fsi
 
 Foam::fsi::ellipse::ellipse(const dictionary& dict)
 :
-    semiAxes_(getEntry<vector2D>(dict, "semiAxes"))
+    semiAxes_(readEntry<vector2D>(dict, "semiAxes"))
 {
     checkKeys(dict, {"type", "semiAxes"});
-    if (!(semiAxes_.x() > 0 && semiAxes_.y() > 0))
+    if (!(cmptMin(semiAxes_) > 1e-50 && cmptMax(semiAxes_) < GREAT))
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'semiAxes' in dictionary " << dict.name() << " is "

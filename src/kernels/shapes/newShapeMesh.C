@@ -63,6 +63,7 @@ static void checkSize
 
 Foam::fsi::shapeMesh Foam::fsi::newShapeMesh
 (
+    const shape& body,
     const dictionary& shapeDict,
     const direction nDims,
     const scalar nodeSpacing,
@@ -70,15 +71,14 @@ Foam::fsi::shapeMesh Foam::fsi::newShapeMesh
     const bool filled
 )
 {
-    const autoPtr<shape> body(shape::New(shapeDict, nDims));
     if (nDims == 3)
     {
-        checkSize(shapeDict, *body, nodeSpacing);
+        checkSize(shapeDict, body, nodeSpacing);
     }
     shapeMesh result;
     try
     {
-        result = body->mesh(nodeSpacing, grading, filled);
+        result = body.mesh(nodeSpacing, grading, filled);
     }
     catch (const std::logic_error& error)
     {
@@ -90,6 +90,27 @@ Foam::fsi::shapeMesh Foam::fsi::newShapeMesh
         failMesh(shapeDict, nodeSpacing, "its surface would not be closed");
     }
     return result;
+}
+
+
+Foam::fsi::shapeMesh Foam::fsi::newShapeMesh
+(
+    const dictionary& shapeDict,
+    const direction nDims,
+    const scalar nodeSpacing,
+    const meshGrading& grading,
+    const bool filled
+)
+{
+    return newShapeMesh
+    (
+        *shape::New(shapeDict, nDims),
+        shapeDict,
+        nDims,
+        nodeSpacing,
+        grading,
+        filled
+    );
 }
 
 

@@ -4,15 +4,12 @@
 #include "addToRunTimeSelectionTable.H"
 #include "caseFile.H"
 #include "dictionaryCheck.H"
-#include "DynamicList.H"
-#include "IFstream.H"
-#include "OSspecific.H"
+#include "errorOf.H"
+#include "IStringStream.H"
+#include "outlineTools.H"
 #include "polygonPredicates.H"
 #include "unitConversion.H"
-
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include "valueTable.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -33,37 +30,21 @@ namespace Foam
 namespace fsi
 {
 
-//- Is any of the comma-separated fields a number? A heading has none
-static bool hasNumber(const std::string& line)
+//- Is the text a list of OpenFOAM, perhaps with a header, or its length? Other
+//  texts are rows of values
+static bool isList(const std::string& text)
 {
-    std::istringstream fields(line);
-    std::string field;
-    while (std::getline(fields, field, ','))
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    if (start == std::string::npos)
     {
-        char* end = nullptr;
-        std::strtod(field.c_str(), &end);
-        if (end != field.c_str())
-        {
-            return true;
-        }
+        return false;
     }
-    return false;
-}
-
-
-//- Take x and y of a line, < 1e15; columns after them are allowed
-static bool readPoint(const std::string& line, point& p)
-{
-    std::istringstream values(line);
-    char comma = 0;
-    char after = ',';
-    p.z() = 0;
+    const std::size_t next =
+        text.find_first_not_of("0123456789 \t\r\n", start);
     return
-        values >> p.x() >> comma >> p.y()
-     && comma == ','
-     && mag(p.x()) < GREAT
-     && mag(p.y()) < GREAT
-     && (!(values >> after) || after == ',');
+        (next != std::string::npos && text[next] == '(')
+     || text.compare(start, 8, "FoamFile") == 0
+     || text[start] == '/';
 }
 
 
@@ -94,88 +75,82 @@ static void withoutRepeats(pointField& points)
 
 Foam::pointField Foam::fsi::polygon::readList
 (
-    const dictionary& dict,
-    const fileName& file
+    const caseFile& file,
+    const std::string& text
 )
 {
-    IFstream is(file);
-    token first(is);
+    pointField points;
+    const caughtError error = fsi::errorOf
+    ([&]()
+    {
+        IStringStream is(text);
+        token first(is);
 
-    // A header is allowed
-    if (first.isWord() && first.wordToken() == "FoamFile")
+        // A header is allowed
+        if (first.isWord() && first.wordToken() == "FoamFile")
+        {
+            dictionary header(is);
+        }
+        else
+        {
+            is.putBack(first);
+        }
+        is >> points;
+        if (token(is).good())
+        {
+            FatalIOErrorInFunction(is)
+                << "there is something behind the list" << exit(FatalIOError);
+        }
+    });
+    const string line
+    (
+        error.line > 0 ? ", line " + Foam::name(error.line) : string()
+    );
+    if (error.message.size())
     {
-        dictionary header(is);
+        file.fail(line + ": the list of points cannot be read: "
+            + error.message);
     }
-    else
+    forAll(points, i)
     {
-        is.putBack(first);
+        if (!isUsable(points[i]))
+        {
+            file.fail
+            (
+                ": point " + std::to_string(i)
+              + " of the list has a coordinate that is no number below 1e15"
+            );
+        }
     }
-    return pointField(is);
+    return points;
 }
 
 
-Foam::pointField Foam::fsi::polygon::readCsv
-(
-    const dictionary& dict,
-    const fileName& file
-)
+Foam::pointField Foam::fsi::polygon::readRows(const caseFile& file)
 {
-    std::ifstream is(file);
-    DynamicList<point> points;
-
-    std::string line;
-    for (label lineNumber = 1; std::getline(is, line); ++lineNumber)
+    const valueTable table(file, {"x", "y"});
+    pointField points(table.size());
+    forAll(points, i)
     {
-        // Some programs begin a file with the mark of its byte order
-        if (lineNumber == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0)
-        {
-            line.erase(0, 3);
-        }
-        line = line.substr(0, line.find("#"));
-        point p;
-        if (readPoint(line, p))
-        {
-            points.append(p);
-        }
-        else if (points.size() || hasNumber(line))
-        {
-            if (line.find_first_not_of(" \t\r") >= line.size())
-            {
-                continue;
-            }
-            FatalIOErrorInFunction(dict)
-                << "Entry 'file' in dictionary " << dict.name()
-                << ": line " << lineNumber << " of " << file
-                << " is not a pair x, y with a comma, below 1e15"
-                << exit(FatalIOError);
-        }
+        points[i] = point(table.number(i, "x"), table.number(i, "y"), 0);
     }
-    return pointField(std::move(points));
+    return points;
 }
 
 
 Foam::pointField Foam::fsi::polygon::read(const dictionary& dict)
 {
-    const fileName file(readCaseFile(dict, "file"));
-    if (!isFile(file, false))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'file' in dictionary " << dict.name()
-            << ": cannot read the file " << file << exit(FatalIOError);
-    }
-
-    pointField points
-    (
-        file.ext() == "csv" ? readCsv(dict, file) : readList(dict, file)
-    );
+    const caseFile file(dict, "file");
+    const std::string text(file.text());
+    pointField points(isList(text) ? readList(file, text) : readRows(file));
     withoutRepeats(points);
     if (points.size() < 3 || !polygonPredicates::isSimple(points))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'file' in dictionary " << dict.name()
-            << ": the polygon of " << points.size() << " points in " << file
-            << (points.size() < 3 ? " has no inside" : " crosses itself")
-            << exit(FatalIOError);
+        file.fail
+        (
+            ": the polygon of its " + std::to_string(points.size()) + " points"
+          + (points.size() < 3 ? " has no inside" : " crosses itself")
+        );
     }
     return points*readPositive(dict, "scale", 1);
 }
@@ -203,6 +178,12 @@ Foam::pointField Foam::fsi::polygon::curve() const
 Foam::scalar Foam::fsi::polygon::cornerAngle() const
 {
     return cornerAngle_;
+}
+
+
+Foam::point Foam::fsi::polygon::centroid() const
+{
+    return outlineTools::centroid(points_);
 }
 
 

@@ -3,6 +3,7 @@
 #include "surfaceTools.H"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -59,6 +60,67 @@ Foam::scalar Foam::fsi::surfaceTools::area
             mag((points[f[1]] - points[f[0]])^(points[f[2]] - points[f[0]]));
     }
     return 0.5*twice;
+}
+
+
+bool Foam::fsi::surfaceTools::isFlat
+(
+    const UList<point>& points,
+    const surfaceFace& face
+)
+{
+    const vector b = points[face[1]] - points[face[0]];
+    const vector c = points[face[2]] - points[face[0]];
+    const scalar longest = max(magSqr(b), max(magSqr(c), magSqr(c - b)));
+    return !(mag(b^c) > 1e-8*longest);
+}
+
+
+Foam::labelList Foam::fsi::surfaceTools::pieces
+(
+    const UList<surfaceFace>& faces
+)
+{
+    std::vector<std::pair<std::pair<label, label>, label>> sides;
+    forAll(faces, facei)
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            const label a = faces[facei][i], b = faces[facei][(i + 1) % 3];
+            sides.emplace_back(std::minmax(a, b), facei);
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+
+    // The lowest face of the piece, found by way of others
+    labelList root(faces.size());
+    std::iota(root.begin(), root.end(), 0);
+    const auto find = [&](label facei)
+    {
+        while (root[facei] != facei)
+        {
+            facei = root[facei] = root[root[facei]];
+        }
+        return facei;
+    };
+    for (std::size_t i = 1; i < sides.size(); ++i)
+    {
+        if (sides[i].first == sides[i - 1].first)
+        {
+            const label a = find(sides[i].second);
+            const label b = find(sides[i - 1].second);
+            root[max(a, b)] = min(a, b);
+        }
+    }
+
+    labelList result(faces.size());
+    label number = 0;
+    forAll(faces, facei)
+    {
+        const label first = find(facei);
+        result[facei] = first == facei ? number++ : result[first];
+    }
+    return result;
 }
 
 

@@ -3,6 +3,7 @@
 #include "meshEntries.H"
 #include "errorOf.H"
 #include "openfoamVersion.H"
+#include "surfaceTools.H"
 
 #include <set>
 
@@ -108,6 +109,26 @@ static bool open(const shapeMesh& mesh, const label nDims)
 }
 
 
+//- Area or volume within the faces, < 0 if they are turned over [m2, m3]
+static scalar inside(const shapeMesh& mesh, const label nDims)
+{
+    if (nDims == 3)
+    {
+        return surfaceTools::volume(mesh.points, mesh.faces);
+    }
+    scalar twice = 0;
+    for (const surfaceFace& face : mesh.faces)
+    {
+        const point& origin = mesh.points[0];
+        twice +=
+        (
+            (mesh.points[face[0]] - origin)^(mesh.points[face[1]] - origin)
+        ).z();
+    }
+    return 0.5*twice;
+}
+
+
 //- FatalIOError unless a mesh is one that a body can have
 static void check(const dictionary& dict, const shapeMesh& mesh)
 {
@@ -129,6 +150,10 @@ static void check(const dictionary& dict, const shapeMesh& mesh)
     )
     {
         refuse(dict, "faces", "is no closed surface of the boundary nodes");
+    }
+    if (!(inside(mesh, nDims) > 0))
+    {
+        refuse(dict, "faces", "is turned over: nothing is inside");
     }
     if
     (

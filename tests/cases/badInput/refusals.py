@@ -45,6 +45,14 @@ SEEDING = [
     ("obstacle outside the domain",
      {"objects": "{ centre (1.5 0.5 0); }", "more": "motion { type fixed; }"},
      ("objects", "object 0", "not in the domain")),
+    ("objects that turn without end",
+     {"objects": "{ centre (0.5 0.5 0); rotation 1e300; }"},
+     ("rotation", "1e+15")),
+    ("objects without a place", {"objects": "{ centre (1e200 0 0); }"},
+     ("centre", "1e15")),
+    ("absurd velocity",
+     {"objects": "{ centre (0.5 0.5 0); velocity (1e200 0 0); }"},
+     ("velocity", "1e15")),
     ("overlapping objects",
      {"objects": "{ centre (0.5 0.5 0); } { centre (0.6 0.5 0); }"},
      ("objects", "object 1", "object 0")),
@@ -59,8 +67,8 @@ SEEDING = [
      ("bad.csv",)),
     ("polygon of absurd size", {"shape": 'type polygon; file "absurd.csv";'},
      ("absurd.csv", "line 2", "1e15")),
-    ("polygon without commas", {"shape": 'type polygon; file "spaces.csv";'},
-     ("spaces.csv", "line 1", "comma")),
+    ("polygon with a word", {"shape": 'type polygon; file "words.dat";'},
+     ("words.dat", "line 2", "column y", "'zero'")),
     ("object larger than the domain", {"shape": "type circle; radius 2;"},
      ("shape", "disc", "that of the domain")),
     ("self-crossing polygon", {"shape": 'type polygon; file "crossed.csv";'},
@@ -136,6 +144,10 @@ PROPERTIES = [
      ("minWallDistance", "to 1")),
     ("too many sweeps", "contact { law { maxSweeps 1e9; } }",
      ("maxSweeps",)),
+    ("Morse's width of nothing", "contact { law { type Morse; "
+     "adhesionEnergy 1; width 1e-9; } }", ("width", "0.05")),
+    ("no stiffness to speak of", "contact { law { stiffness 1e-200; } }",
+     ("stiffness", "1e-50")),
     ("absurd gravity", "gravity (0 1e300 0);", ("gravity", "1e15")),
     ("absurd driving", "drivingForce { type acceleration; "
      "acceleration (1e300 0 0); }", ("acceleration", "1e15")),
@@ -155,7 +167,7 @@ def check_seeding(report, case):
     for name, content in (("bad.csv", "a,b\n0,zero\n"),
                           ("crossed.csv", "0,0\n0.2,0.2\n0.2,0\n0,0.2\n"),
                           ("absurd.csv", "0,0\n1e300,0\n0,1e300\n"),
-                          ("spaces.csv", "0 0\n0.2 0\n0.2 0.2\n")):
+                          ("words.dat", "0 0\n0.2 zero\n0.2 0.2\n")):
         with open(os.path.join(case.path, name), "w",
                   encoding="ascii") as stream:
             stream.write(content)
@@ -170,9 +182,9 @@ def check_seeding(report, case):
 
     case.values.update(shapes({}))
     case.write()
-    case.append("system/seedObjectsDict", "colour red;\n")
-    refused(report, "wrong key in seedObjectsDict", case, "seedObjects",
-            ("FATAL IO ERROR", "seedObjectsDict", "colour", "placements"))
+    case.append("system/seedObjectsDict", "placement {}\n")
+    refused(report, "misspelled key in seedObjectsDict", case, "seedObjects",
+            ("FATAL IO ERROR", "seedObjectsDict", "'placement'", "placements"))
 
 
 def check_properties(report, case):

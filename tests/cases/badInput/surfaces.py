@@ -105,6 +105,18 @@ REFUSED = {
     "a surface that leaves the box": (
         "box.stl", stl(BOX), "", "{ centre (0.85 0.5 0.5); }",
         ("'objects'", "object 0", "not in the domain")),
+    "an absurd quaternion": (
+        "box.stl", stl(BOX), "", "{ centre (0.5 0.5 0.5); rotation "
+        "{ quaternion (1e200 (0 1e200 0)); } }", ("'quaternion'", "1e15")),
+    "an absurd axis": (
+        "box.stl", stl(BOX), "", "{ centre (0.5 0.5 0.5); rotation "
+        "{ axis (1e200 0 0); angle 1; } }", ("'axis'", "1e15")),
+    "a surface of a size near zero": (
+        "dust.stl", stl(cuboid(1e-30, 1e-30, 1e-30)), "", MIDDLE,
+        ("'shape'", "body", "3 cells")),
+    "a piece that is not there": (
+        "box.stl", stl(BOX), "piece 2;", MIDDLE,
+        ("'file'", "box.stl", "1 pieces", "'piece'")),
     "a file that is not there": (
         None, "", "", MIDDLE, ("'file'", "nowhere.stl", "no such file")),
     "a file of another kind": (

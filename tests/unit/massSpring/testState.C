@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "errorOf.H"
 #include "membraneSamples.H"
 #include "OStringStream.H"
 
@@ -236,6 +237,26 @@ TEST(state, ofAnotherShapeIsRefused)
     auto restored = groupOf(*other);
     IStringStream is(written(*group, IOstream::ASCII));
     EXPECT_THROW(restored->read(is), Foam::IOerror);
+}
+
+
+TEST(state, ofFacesThatAreTurnedOverIsRefused)
+{
+    const string text(written(*disc(rubber), IOstream::ASCII));
+    IStringStream first(text), second(text);
+    const dictionary whole(first);
+    EXPECT_NO_THROW(shapeTemplate{whole});
+
+    // A list that has been read is gone from its dictionary
+    dictionary dict(second);
+    labelList faces(readEntry<labelList>(dict, "faces"));
+    ASSERT_GT(faces.size(), 3);
+    for (label i = 0; i < faces.size(); i += 3)
+    {
+        Swap(faces[i], faces[i + 1]);
+    }
+    dict.set("faces", faces);
+    EXPECT_THROW(shapeTemplate{dict}, Foam::IOerror);
 }
 
 

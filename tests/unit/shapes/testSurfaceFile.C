@@ -91,7 +91,7 @@ TEST(surfaceFile, isTheSameFromEachFormat)
     );
     const scalar volume = surfaceTools::volume(torus.points, torus.faces);
     const triSurface written(toTriSurface(torus));
-    for (const word format : {"stl", "stlb", "obj", "off", "vtk", "ftr"})
+    for (const word format : {"stl", "stlb", "obj", "off"})
     {
         const fileName file("torus." + format);
         written.write(file);
@@ -229,14 +229,16 @@ TEST(badSurface, isRefusedWithFileKeyAndPlace)
     );
     expectFault
     (
-        with(boxPoints, "v 3 2 1", "v 1.5 2 1") + "v 3 2 1\n" + boxFaces
-      + "f 3 4 8\n",
+        // Two tetrahedra with a common edge
+        "v 0 0 0\nv 0 0 1\nv 1 0 0.5\nv 1 1 0.5\nv -1 0 0.5\nv -1 -1 0.5\n"
+        "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+        "f 1 5 2\nf 1 2 6\nf 1 6 5\nf 2 5 6\n",
         {"more than two triangles"}
     );
     expectFault
     (
-        with(boxPoints, "v 0 2 1", "v 0 0 0.5") + boxFaces,
-        {"triangles without an area"}
+        "v 0 0 0\nv 1 0 0\nv 3 0 0\nf 1 2 3\nf 1 3 2\n",
+        {"2 triangles without an area"}
     );
 }
 

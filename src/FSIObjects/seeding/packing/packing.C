@@ -64,7 +64,8 @@ Foam::fsi::packing::packing
     const wordList& shapeNames,
     const List<closedSurface>& shapes,
     const vector& period,
-    const boolList& attached
+    const boolList& attached,
+    const pointField& places
 )
 :
     domain_(domain),
@@ -73,6 +74,7 @@ Foam::fsi::packing::packing
     shapes_(shapes),
     period_(period),
     attached_(attached),
+    places_(places),
     shifts_(1, Zero),
     occupied_(nullBox()),
     grid_(domain, gridSize(shapes, spacing), nDims())

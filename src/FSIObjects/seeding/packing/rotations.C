@@ -2,10 +2,12 @@
 
 #include "rotations.H"
 #include "dictionaryCheck.H"
+#include "errorOf.H"
 #include "mathematicalConstants.H"
 #include "openfoamVersion.H"
 #include "quaternion.H"
 #include "randomNumbers.H"
+#include "readBetween.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -15,11 +17,22 @@ namespace Foam
 namespace fsi
 {
 
+//- [degrees]
+static scalar readAngle(const dictionary& dict, const word& key)
+{
+    return readScalarBetween(dict, key, 0, -GREAT, GREAT);
+}
+
+
 //- Rotation from its dictionary
 static tensor rotationFrom(const dictionary& dict)
 {
     checkKeys(dict, {"axis", "angle", "quaternion"});
-    if (dict.found("axis") == dict.found("quaternion"))
+    if
+    (
+        dict.found("axis") == dict.found("quaternion")
+     || dict.found("axis") != dict.found("angle")
+    )
     {
         FatalIOErrorInFunction(dict)
             << "Dictionary " << dict.name() << " needs either the entries"
@@ -32,11 +45,15 @@ static tensor rotationFrom(const dictionary& dict)
     const quaternion q
     (
         byAxis
-      ? quaternion(0, getEntry<vector>(dict, "axis"))
-      : quaternion(dict.lookup("quaternion"))
+      ? quaternion(0, readFinite(dict, "axis"))
+      : readEntry<quaternion>(dict, "quaternion")
+    );
+    checkValues
+    (
+        dict, key, scalarList({q.w(), q.v().x(), q.v().y(), q.v().z()})
     );
     const scalar length = mag(q);
-    if (!(length > VSMALL && length < GREAT))
+    if (!(length > 1e-50))
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' in dictionary " << dict.name()
@@ -45,7 +62,7 @@ static tensor rotationFrom(const dictionary& dict)
     }
     return
         byAxis
-      ? rotationAbout(q.v(), getEntry<scalar>(dict, "angle"))
+      ? rotationAbout(q.v(), readAngle(dict, "angle"))
       : rotationOf(q.w(), q.v());
 }
 
@@ -92,7 +109,7 @@ Foam::tensor Foam::fsi::readRotation
 {
     if (!dict.isDict("rotation"))
     {
-        return rotationAboutZ(dict.lookupOrDefault<scalar>("rotation", 0));
+        return rotationAboutZ(readAngle(dict, "rotation"));
     }
     if (nDims == 2)
     {

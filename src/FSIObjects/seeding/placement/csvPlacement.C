@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "csvPlacement.H"
-#include "caseFile.H"
-#include "IFstream.H"
+#include "errorOf.H"
 #include "openfoamVersion.H"
+#include "OStringStream.H"
 #include "rotations.H"
-#include "stringOps.H"
 #include "addToRunTimeSelectionTable.H"
-
-#include <sstream>
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -22,56 +19,14 @@ namespace fsi
 }
 
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Values of a line, without the space around them
-static wordList splitLine(const string& line)
-{
-    DynamicList<word> values;
-    std::istringstream parts(line);
-    std::string part;
-    while (std::getline(parts, part, ','))
-    {
-        if (part.size())
-        {
-            values.append(word(stringOps::trim(part), false));
-        }
-    }
-    return wordList(std::move(values));
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::csvPlacement::refuse
-(
-    const label line,
-    const string& reason
-) const
-{
-    FatalIOErrorInFunction(dict())
-        << "Entry 'file' of placement " << name() << ": " << file_.c_str()
-        << ", "
-        << (line ? "line " + Foam::name(line) + ": " : string()).c_str()
-        << reason.c_str()
-        << exit(FatalIOError);
-}
-
 
 void Foam::fsi::csvPlacement::checkColumns
 (
-    const wordList& columns,
-    const label line
+    const valueTable& table
 ) const
 {
+    const wordList& columns = table.columns();
     wordList known
     ({
         "x", "y", "z", "rotation", "shape",
@@ -96,25 +51,24 @@ void Foam::fsi::csvPlacement::checkColumns
             OStringStream os;
             os  << "unknown column " << columns[i].c_str()
                 << ", valid columns are " << flatOutput(known);
-            refuse(line, os.str());
+            table.refuse(os.str());
         }
         if (indexOf(columns, columns[i]) < i)
         {
-            refuse(line, "column " + columns[i] + " is there twice");
+            table.refuse("column " + columns[i] + " is there twice");
         }
     }
 
-    checkRotations(columns, line);
+    checkRotations(table);
     if
     (
         !isIn(columns, "x") || !isIn(columns, "y")
      || (nDims() == 3 && !isIn(columns, "z"))
     )
     {
-        refuse
+        table.refuse
         (
-            line,
-            string("there must be columns x and y")
+            std::string("there must be columns x and y")
           + (nDims() == 3 ? " and z" : "")
         );
     }
@@ -123,9 +77,8 @@ void Foam::fsi::csvPlacement::checkColumns
 
 void Foam::fsi::csvPlacement::checkRotations
 (
-    const wordList& columns,
-    const label line
-) const
+    const valueTable& table
+)
 {
     const wordList sets[3] =
     {
@@ -139,20 +92,20 @@ void Foam::fsi::csvPlacement::checkRotations
         label nFound = 0;
         for (const word& column : set)
         {
-            nFound += isIn(columns, column);
+            nFound += table.has(column);
         }
         if (nFound != 0 && nFound != set.size())
         {
             OStringStream os;
             os  << "there must be all or none of the columns "
                 << flatOutput(set);
-            refuse(line, os.str());
+            table.refuse(os.str());
         }
         nRotations += nFound != 0;
     }
     if (nRotations > 1)
     {
-        refuse(line, "there is more than one kind of rotation");
+        table.refuse("there is more than one kind of rotation");
     }
 }
 
@@ -166,23 +119,33 @@ Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
     const scalar vz = values.value("velocityZ", velocity().z());
     if (nDims() == 2 && vz != 0)
     {
-        values.refuse("velocityZ must be 0 in two dimensions");
+        values.refuse("velocityZ", "must be 0 in two dimensions");
+    }
+    const word shape
+    (
+        values.has("shape")
+      ? values.text("shape") : getEntry<word>(dict(), "shape")
+    );
+    if (values.has("shape") && !isIn(space.shapeNames(), shape))
+    {
+        OStringStream os;
+        os  << "unknown shape '" << shape.c_str() << "', valid shapes are "
+            << flatOutput(space.shapeNames());
+        values.refuse("shape", os.str());
+    }
+    const point centre
+    (
+        values.value("x", 0), values.value("y", 0), values.value("z", 0)
+    );
+    const caughtError error = errorOf([&]() { checkedCentre(centre, space); });
+    if (error.message.size())
+    {
+        values.refuse("z", error.message);
     }
     return newObject
     (
-        values.has("shape")
-      ? findShape(values.text("shape"), space)
-      : readShape(dict(), space),
-        checkedCentre
-        (
-            point
-            (
-                values.value("x", 0),
-                values.value("y", 0),
-                values.value("z", 0)
-            ),
-            space
-        ),
+        findShape(shape, space),
+        centre,
         values.rotation(),
         values.triple("velocity", velocity()),
         values.triple("angularVelocity", angularVelocity())
@@ -200,7 +163,7 @@ Foam::fsi::csvPlacement::csvPlacement
 )
 :
     placement(name, dict, space, {"file"}, 0, 0),
-    file_(readCaseFile(dict, "file"))
+    file_(dict, "file")
 {}
 
 
@@ -208,49 +171,18 @@ Foam::fsi::csvPlacement::csvPlacement
 
 void Foam::fsi::csvPlacement::place(packing& space)
 {
-    IFstream is(file_);
-    if (!is.good())
+    const valueTable table(file_);
+    checkColumns(table);
+    if (table.size() == 0)
     {
-        refuse(0, "cannot be read");
+        file_.fail(": there are no objects");
     }
-
-    wordList columns;
-    DynamicList<placedObject> objects;
-    string text;
-    for (label line = 1; is.getLine(text).good(); ++line)
+    DynamicList<placedObject> objects(table.size());
+    for (label i = 0; i < table.size(); ++i)
     {
-        text = stringOps::trim(text);
-        if (text.empty() || text[0] == '#')
-        {
-            continue;
-        }
-        if (columns.empty())
-        {
-            columns = splitLine(text);
-            checkColumns(columns, line);
-        }
-        else
-        {
-            objects.append
-            (
-                readObject
-                (
-                    space,
-                    csvRow
-                    (
-                        columns,
-                        splitLine(text),
-                        [=](const string& reason) { refuse(line, reason); }
-                    )
-                )
-            );
-        }
+        objects.append(readObject(space, csvRow(table, i)));
     }
-    if (objects.empty())
-    {
-        refuse(0, "there are no objects");
-    }
-    insertAll(space, objects, "file", file_);
+    insertAll(space, objects, "file", file_.name());
 }
 
 

@@ -6,6 +6,7 @@
 #include "rotations.H"
 #include "Switch.H"
 #include "addToRunTimeSelectionTable.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -39,7 +40,7 @@ void Foam::fsi::latticePlacement::readLattice(const packing& space)
     }
     else
     {
-        spacing_ = getEntry<vector>(dict(), "spacing");
+        spacing_ = readFinite(dict(), "spacing");
     }
 
     for (direction d = 0; d < nDims(); ++d)

@@ -5,6 +5,7 @@
 #include "openfoamVersion.H"
 #include "rotations.H"
 #include "addToRunTimeSelectionTable.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -54,7 +55,7 @@ void Foam::fsi::listedPlacement::place(packing& space)
             newObject
             (
                 readShape(entry.found("shape") ? entry : dict(), space),
-                checkedCentre(getEntry<point>(entry, "centre"), space),
+                checkedCentre(readFinite(entry, "centre"), space),
                 readRotation(entry, nDims()),
                 readVelocity(entry, velocity()),
                 readAngularVelocity(entry, angularVelocity())

@@ -14,6 +14,11 @@ namespace fsi
 {
     defineTypeNameAndDebug(packedPlacement, 0);
     addToRunTimeSelectionTable(placement, packedPlacement, dictionary);
+
+    //- Random places that are tried before each sweep for objects that the
+    //  lattice has no room for, and the sweeps without success after which
+    //  no more are
+    static const label attempts = 1000, patience = 50;
 }
 }
 
@@ -90,26 +95,64 @@ bool Foam::fsi::packedPlacement::tryMove
 }
 
 
+Foam::label Foam::fsi::packedPlacement::addBetween
+(
+    packing& space,
+    const boundBox& container,
+    const label number
+)
+{
+    label added = 0;
+    for (label i = 0; i < attempts && added < number; ++i)
+    {
+        point centre(container.min());
+        for (direction d = 0; d < nDims(); ++d)
+        {
+            centre[d] += container.span()[d]*random().sample01<scalar>();
+        }
+        const placedObject object(newObject(shape(), centre, randomRotation()));
+        const closedSurface candidate(space.placed(object));
+        if
+        (
+            candidate.inside(container, 0)
+         && space.findConflict(candidate, minimumGap()) < 0
+        )
+        {
+            space.insert(object);
+            ++added;
+        }
+    }
+    return added;
+}
+
+
 void Foam::fsi::packedPlacement::shake
 (
     packing& space,
     const boundBox& container,
-    const label first
+    const label first,
+    const label number
 )
 {
-    const label n = space.size() - first;
+    label n = space.size() - first, lastAdded = 0;
     scalar step = mag(space.shape(shape()).bounds().span());
     scalar angle = 90;
     const scalar largestStep = mag(container.span());
 
     // Smaller after few, larger after many successes
-    const auto adapt = [n](scalar& size, const label successes, scalar largest)
+    const auto adapt = [&n](scalar& size, const label successes, scalar largest)
     {
         size = min(size*(successes > 0.4*n ? 1.1 : 0.9), largest);
     };
 
     for (label sweep = 0; sweep < sweeps_; ++sweep)
     {
+        if (n < number && sweep < lastAdded + patience)
+        {
+            const label added = addBetween(space, container, number - n);
+            n += added;
+            lastAdded = added ? sweep : lastAdded;
+        }
         label moved = 0, turned = 0;
         for (label objecti = first; objecti < space.size(); ++objecti)
         {
@@ -152,18 +195,18 @@ void Foam::fsi::packedPlacement::place(packing& space)
     }
 
     pointField centres = bestSites(space, container);
-    if (centres.size() < number)
-    {
-        lackRoom(space, number, centres.size(), "");
-    }
-    thin(centres, number);
+    thin(centres, min(number, centres.size()));
 
     const label first = space.size();
     for (const point& centre : centres)
     {
         space.insert(newObject(shape(), centre, rotation()));
     }
-    shake(space, container, first);
+    shake(space, container, first, number);
+    if (space.size() < first + number)
+    {
+        lackRoom(space, number, space.size() - first, "");
+    }
 }
 
 

@@ -3,6 +3,7 @@
 #include "placement.H"
 #include "dictionaryCheck.H"
 #include "openfoamVersion.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -12,7 +13,7 @@ namespace fsi
 {
 
 //- Fatal unless the components of a vector that have no meaning in two
-//  dimensions are 0, and the others are numbers of this world
+//  dimensions are 0
 static const vector& checkedMotion
 (
     const dictionary& dict,
@@ -21,12 +22,11 @@ static const vector& checkedMotion
     const vector& outOfPlane
 )
 {
-    const bool planar = cmptMultiply(value, outOfPlane) == vector::zero;
-    if (!planar || !(mag(value) < GREAT))
+    if (cmptMultiply(value, outOfPlane) != vector::zero)
     {
         FatalIOErrorInFunction(dict)
             << "Entry '" << key << "' in dictionary " << dict.name() << " is "
-            << value << " but must be a finite vector "
+            << value << " but must be a vector "
             << (outOfPlane.z() > 0 ? "(vx vy 0)" : "(0 0 w)")
             << " in two dimensions, any in three" << exit(FatalIOError);
     }
@@ -102,7 +102,7 @@ Foam::vector Foam::fsi::placement::readVelocity
     (
         dict,
         "velocity",
-        dict.lookupOrDefault("velocity", otherwise),
+        readFinite(dict, "velocity", otherwise),
         vector(0, 0, nDims_ == 2)
     );
 }
@@ -118,7 +118,7 @@ Foam::vector Foam::fsi::placement::readAngularVelocity
     (
         dict,
         "angularVelocity",
-        dict.lookupOrDefault("angularVelocity", otherwise),
+        readFinite(dict, "angularVelocity", otherwise),
         nDims_ == 2 ? vector(1, 1, 0) : vector::zero
     );
 }

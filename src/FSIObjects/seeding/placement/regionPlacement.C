@@ -3,6 +3,7 @@
 #include "regionPlacement.H"
 #include "dictionaryCheck.H"
 #include "openfoamVersion.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -61,7 +62,7 @@ Foam::boundBox Foam::fsi::regionPlacement::readRegion
     checkKeys(region, {"min", "max"});
     const boundBox box
     (
-        getEntry<point>(region, "min"), getEntry<point>(region, "max")
+        readFinite(region, "min"), readFinite(region, "max")
     );
     if
     (

@@ -153,7 +153,7 @@ Foam::fsi::soughtPlacement::soughtPlacement
         space,
         withSoughtKeys(ownKeys, fractionKey(space)),
         3*space.spacing(),
-        dict.lookupOrDefault<scalar>("minimumGap", 3*space.spacing())
+        readNonNegative(dict, "minimumGap", 3*space.spacing())
     ),
     rotation_(readRotation(dict, nDims()))
 {}

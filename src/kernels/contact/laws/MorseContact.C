@@ -3,6 +3,7 @@
 #include "MorseContact.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "readBetween.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -25,7 +26,7 @@ Foam::fsi::MorseContact::MorseContact
 )
 :
     attractiveContact(dict, scales),
-    decay_(1/(readPositive(dict, "width", 0.5)*scales.spacing))
+    decay_(1/(readScalarBetween(dict, "width", 0.5, 0.05, 100)*scales.spacing))
 {
     checkKeys(dict, keys({"width"}));
 }

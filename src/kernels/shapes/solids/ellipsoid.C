@@ -3,6 +3,7 @@
 #include "ellipsoid.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "readBetween.H"
 #include "mathematicalConstants.H"
 #include "openfoamVersion.H"
 
@@ -22,10 +23,10 @@ namespace fsi
 
 Foam::fsi::ellipsoid::ellipsoid(const dictionary& dict)
 :
-    semiAxes_(getEntry<vector>(dict, "semiAxes"))
+    semiAxes_(readFinite(dict, "semiAxes"))
 {
     checkKeys(dict, {"type", "semiAxes"});
-    if (!(cmptMin(semiAxes_) > 0))
+    if (!(cmptMin(semiAxes_) > 1e-50))
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'semiAxes' in dictionary " << dict.name() << " is "

@@ -135,7 +135,11 @@ Foam::boundBox Foam::fsi::solidShape::bounds() const
 
 Foam::scalar Foam::fsi::solidShape::minimumThickness() const
 {
-    return surfaceThickness::smallest(surface());
+    // In units of its size: CGAL asks for powers of lengths
+    shapeMesh body(surface());
+    const scalar size = boundBox(body.points, false).mag();
+    body.points /= size;
+    return size*surfaceThickness::smallest(body);
 }
 
 

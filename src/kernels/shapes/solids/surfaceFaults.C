@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surfaceFaults.H"
-#include "boundBox.H"
-#include "OStringStream.H"
 #include "selfIntersections.H"
+#include "surfaceTools.H"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <vector>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -58,38 +55,32 @@ static std::vector<faceSide> sides(const shapeMesh& surface)
 }
 
 
-//- "<number> <what>, the first at <place>"; empty if the number is zero
-static string describe
+//- A number of faults, the first of them at a place; none if it is zero
+static surfaceFault describe
 (
     const label number,
     const char* what,
     const point& place
 )
 {
-    if (!number)
+    return
     {
-        return string();
-    }
-    OStringStream os;
-    os << "has " << number << ' ' << what << ", the first at " << place;
-    return os.str();
+        number ? "has " + Foam::name(number) + ' ' + what : string(),
+        place
+    };
 }
 
 
-//- Faces without an area: a corner that is on the opposite edge, or nearly
-static string flatFaces(const shapeMesh& surface)
+//- Faces without an area
+static surfaceFault flatFaces(const shapeMesh& surface)
 {
     label number = 0;
     point place(Zero);
     for (const surfaceFace& f : surface.faces)
     {
-        const point& a = surface.points[f[0]];
-        const vector b = surface.points[f[1]] - a;
-        const vector c = surface.points[f[2]] - a;
-        const scalar longest = max(magSqr(b), max(magSqr(c), magSqr(c - b)));
-        if (!(mag(b^c) > 1e-8*longest) && number++ == 0)
+        if (surfaceTools::isFlat(surface.points, f) && number++ == 0)
         {
-            place = a;
+            place = surface.points[f[0]];
         }
     }
     return describe(number, "triangles without an area", place);
@@ -98,7 +89,7 @@ static string flatFaces(const shapeMesh& surface)
 
 //- Edges with a number of faces that is not two, or faces that do not agree in
 //  their direction
-static string badEdges
+static surfaceFault badEdges
 (
     const shapeMesh& surface,
     const std::vector<faceSide>& all
@@ -135,51 +126,28 @@ static string badEdges
         }
     }
     return
-        nOpen ? "is not closed: it " + describe(nOpen, "open edges", open)
+        nOpen ? describe(nOpen, "open edges: it is not closed", open)
       : nBranched
       ? describe(nBranched, "edges of more than two triangles", branched)
-      : nTurned
-      ? "is not oriented: it "
-      + describe(nTurned, "edges where front meets back", turned)
-      : string();
+      : describe
+        (
+            nTurned,
+            "edges where front meets back: it is not oriented",
+            turned
+        );
 }
 
 
-//- Pieces that the sides do not join
-static string pieces
-(
-    const shapeMesh& surface,
-    const std::vector<faceSide>& all
-)
+//- Pieces that no edges join
+static surfaceFault pieces(const shapeMesh& surface)
 {
-    // The lowest face of the piece, found by way of others
-    labelList root(surface.faces.size());
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&](label facei)
+    const label number = max(surfaceTools::pieces(surface.faces)) + 1;
+    return
     {
-        while (root[facei] != facei)
-        {
-            facei = root[facei] = root[root[facei]];
-        }
-        return facei;
+        number == 1 ? string()
+      : "has " + Foam::name(number) + " pieces instead of one (entry 'piece')",
+        surface.points[surface.faces[0][0]]
     };
-    label number = surface.faces.size();
-    for (std::size_t i = 0; i + 1 < all.size(); ++i)
-    {
-        const label a = find(all[i].face), b = find(all[i + 1].face);
-        if (all[i].sameEdge(all[i + 1]) && a != b)
-        {
-            root[max(a, b)] = min(a, b);
-            --number;
-        }
-    }
-    if (number == 1)
-    {
-        return string();
-    }
-    OStringStream os;
-    os << "has " << number << " pieces instead of one";
-    return os.str();
 }
 
 } // End namespace surfaceFaults
@@ -189,27 +157,22 @@ static string pieces
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::string Foam::fsi::surfaceFaults::first(const shapeMesh& surface)
+Foam::fsi::surfaceFault Foam::fsi::surfaceFaults::first
+(
+    const shapeMesh& surface
+)
 {
-    for (const point& p : surface.points)
-    {
-        if (!std::isfinite(magSqr(p)))
-        {
-            return "has points that are not numbers";
-        }
-    }
-
     const std::vector<faceSide> all(sides(surface));
-    string fault(flatFaces(surface));
-    if (fault.empty())
+    surfaceFault fault(flatFaces(surface));
+    if (fault.text.empty())
     {
         fault = badEdges(surface, all);
     }
-    if (fault.empty())
+    if (fault.text.empty())
     {
-        fault = pieces(surface, all);
+        fault = pieces(surface);
     }
-    if (fault.empty())
+    if (fault.text.empty())
     {
         point place(Zero);
         const label number = selfIntersections::count(surface, place);

@@ -2,14 +2,8 @@
 
 #include "surfaceFile.H"
 #include "addToRunTimeSelectionTable.H"
-#include "boundBox.H"
-#include "caseFile.H"
 #include "dictionaryCheck.H"
-#include "errorOf.H"
-#include "mergePoints.H"
-#include "openfoamSurface.H"
-#include "OSspecific.H"
-#include "surfaceFaults.H"
+#include "surfacePieces.H"
 #include "surfaceTools.H"
 #include "unitConversion.H"
 
@@ -32,127 +26,75 @@ namespace Foam
 namespace fsi
 {
 
-//- The triangles with each place a single point, all of them used
-static shapeMesh joined(const triSurface& triangles)
+//- The entry `piece`, see readPieces
+static label pieceNumber(const dictionary& dict)
 {
-    const pointField& all = triangles.points();
-    labelList places;
-    pointField points;
-    mergePoints
-    (
-        all, 1e-8*boundBox(all, false).mag(), false, places, points
-    );
+    if (!dict.found("piece"))
+    {
+        return 0;
+    }
+    const token value(dict.lookup("piece"));
+    if (value.isWord() && value.wordToken() == "all")
+    {
+        return -1;
+    }
+    return readAtLeast(dict, "piece", 1, 1);
+}
 
-    shapeMesh result;
-    labelList labels(points.size(), -1);
-    for (const labelledTri& t : triangles)
+
+//- The only piece that is asked for
+static filePiece readPiece(const dictionary& dict)
+{
+    const label piece = pieceNumber(dict);
+    if (piece < 0)
     {
-        surfaceFace face;
-        for (label i = 0; i < 3; ++i)
-        {
-            label& l = labels[places[t[i]]];
-            if (l < 0)
-            {
-                l = result.nBoundary++;
-            }
-            face[i] = l;
-        }
-        result.faces.append(face);
+        FatalIOErrorInFunction(dict)
+            << "Entry 'piece' in dictionary " << dict.name()
+            << " is 'all': there is no single body" << exit(FatalIOError);
     }
-    result.points.resize(result.nBoundary);
-    forAll(points, i)
-    {
-        if (labels[i] >= 0)
-        {
-            result.points[labels[i]] = points[i];
-        }
-    }
-    return result;
+    return readPieces(dict, piece)[0];
 }
 
 } // End namespace fsi
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-void Foam::fsi::surfaceFile::fail
+Foam::fsi::surfaceFile::surfaceFile
 (
     const dictionary& dict,
-    const fileName& file,
-    const string& reason
+    const filePiece& piece
 )
+:
+    cornerAngle_(degToRad(readPositive(dict, "cornerAngle", 40))),
+    surface_(piece.surface),
+    origin_(piece.origin)
 {
-    FatalIOErrorInFunction(dict)
-        << "Entry 'file' in dictionary " << dict.name()
-        << ": the surface in " << file << ' ' << reason.c_str()
-        << exit(FatalIOError);
+    checkKeys(dict, {"type", "file", "scale", "cornerAngle", "piece"});
 }
 
-
-Foam::fsi::shapeMesh Foam::fsi::surfaceFile::read(const dictionary& dict)
-{
-    const fileName file(readCaseFile(dict, "file"));
-    if (!isFile(file))
-    {
-        fail(dict, file, "cannot be read: there is no such file");
-    }
-    if (!canReadSurface(file))
-    {
-        OStringStream os;
-        os  << "cannot be read: valid formats are "
-            << flatOutput(surfaceFormats());
-        fail(dict, file, os.str());
-    }
-
-    triSurface triangles;
-    const caughtError error
-    (
-        errorOf([&]() { triangles = triSurface(file); })
-    );
-    if (error.message.size())
-    {
-        fail(dict, file, "cannot be read: " + error.message);
-    }
-    for (const point& p : triangles.points())
-    {
-        if (!isUsable(p))
-        {
-            // OpenFOAM's reader makes floats, too small for some numbers
-            fail(dict, file, "has a coordinate that is no number below 1e15");
-        }
-    }
-    if (triangles.empty())
-    {
-        fail(dict, file, "is empty: it has no triangles");
-    }
-
-    shapeMesh result(joined(triangles));
-    const string fault(surfaceFaults::first(result));
-    if (fault.size())
-    {
-        fail(dict, file, fault);
-    }
-    if (surfaceTools::volume(result.points, result.faces) < 0)
-    {
-        for (surfaceFace& f : result.faces)
-        {
-            Swap(f[1], f[2]);
-        }
-    }
-    result.points *= readPositive(dict, "scale", 1);
-    return result;
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::surfaceFile::surfaceFile(const dictionary& dict)
 :
-    cornerAngle_(degToRad(readPositive(dict, "cornerAngle", 40))),
-    surface_(read(dict))
+    surfaceFile(dict, readPiece(dict))
+{}
+
+
+Foam::PtrList<Foam::fsi::shape> Foam::fsi::surfaceFile::allPieces
+(
+    const dictionary& dict
+)
 {
-    checkKeys(dict, {"type", "file", "scale", "cornerAngle"});
+    PtrList<shape> result;
+    if (pieceNumber(dict) < 0)
+    {
+        for (const filePiece& piece : readPieces(dict, -1))
+        {
+            result.append(new surfaceFile(dict, piece));
+        }
+    }
+    return result;
 }
 
 
@@ -173,6 +115,13 @@ Foam::scalar Foam::fsi::surfaceFile::volume() const
 Foam::scalar Foam::fsi::surfaceFile::cornerAngle() const
 {
     return cornerAngle_;
+}
+
+
+Foam::point Foam::fsi::surfaceFile::centroid() const
+{
+    return
+        origin_ + surfaceTools::centroid(surface_.points, surface_.faces);
 }
 
 
