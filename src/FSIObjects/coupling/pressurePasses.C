@@ -12,8 +12,10 @@ bool Foam::fsi::pressurePasses::worse(const scalar nodes, const scalar fluid)
 {
     if (done_ == 1)
     {
+        // Its start is the last pressure, not an answer of the objects: where
+        // a body is pushed the second pass has up to eight times its e
         firstSpeed_ = nodes;
-        leastError_ = error_;
+        leastError_ = GREAT;
         return false;
     }
     if (error_ > 2*leastError_ || nodes > 2*max(fluid, firstSpeed_))
