@@ -15,7 +15,7 @@ READERS = {
     "readAtLeast": ("whole number", ">= {0}"),
     "readFinite": ("vector", ""),
     "readChoice": ("word", ""),
-    "readCaseFile": ("file name", ""),
+    "readAngle": ("number", ""),
     "readMatrix": ("numbers", ""),
     "readField": ("numbers", ""),
 }
@@ -33,8 +33,9 @@ OTHERS = {
     "type": "word", "restCurvature": "number or word",
     "counts": "whole numbers", "areaFraction": "number",
     "quaternion": "quaternion", "objects": "list of dictionaries",
+    "file": "file name",
     "centre": "vector", "faces": "whole numbers", "elements": "whole numbers",
-    "U": "word", "p": "word",
+    "U": "word", "p": "word", "simulationType": "word",
 }
 
 
@@ -69,7 +70,8 @@ def reads(text):
         key = values[1].strip('"')
         if name in READERS:
             what, limits = READERS[name]
-            yield key, what, limits.format(*values[3:], "", "")
+            limits = limits.format(*values[3:], "", "")
+            yield key, what, limits.replace("-GREAT to GREAT", "")
         elif kind in TYPES:
             yield key, TYPES[kind], ""
     call = (r"(?:get|lookupOrDefault|getOrDefault|lookup)\s*<(\w+)>"

@@ -34,21 +34,6 @@ Foam::scalar Foam::solvers::fsiFluid::viscosityOfFluid() const
 }
 
 
-void Foam::solvers::fsiFluid::checkLaminar() const
-{
-    const word type
-    (
-        momentumTransport->lookupOrDefault<word>("simulationType", "laminar")
-    );
-    if (type != "laminar")
-    {
-        FatalErrorInFunction
-            << "Entry 'simulationType' in constant/momentumTransport is "
-            << type << " but fsiFluid is made for laminar" << exit(FatalError);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::solvers::fsiFluid::fsiFluid(fvMesh& mesh)
@@ -60,9 +45,7 @@ Foam::solvers::fsiFluid::fsiFluid(fvMesh& mesh)
     step_(objects_, p_, U_, phi_, nu_),
     timeStep_(mesh.time()),
     nextDeltaT_(mesh.time().deltaTValue())
-{
-    checkLaminar();
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -45,13 +45,33 @@ Description
 #include "fieldChecks.H"
 #include "fileHeaders.H"
 #include "fluidStep.H"
+#include "laminarFluid.H"
 #include "meshFiles.H"
+#include "openfoamCase.H"
 #include "openfoamVersion.H"
 #include "optionSources.H"
 #include "restartFiles.H"
+#include "solverTime.H"
 #include "timeStep.H"
 #include "writtenFiles.H"
 #include <malloc.h>
+
+// For -postProcess
+#define CREATE_FIELDS createFluid.H
+#define CREATE_MESH createCaseMesh.H
+#define NO_CONTROL
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Take a step that is not written
+static int tryStep(Foam::fsi::fluidStep& step, const Foam::fsi::flowSources& s)
+{
+    step.advance(s);
+    Info<< "One step was taken. Nothing is written: -dry-run" << nl
+        << "End\n" << endl;
+    return 0;
+}
+
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 
@@ -63,19 +83,24 @@ int main(int argc, char *argv[])
     );
 
     #include "keepMemory.H"
-    #include "addCheckCaseOptions.H"
+    #include "postProcess.H"
+    argList::addBoolOption
+    (
+        "dry-run", "Read all and take one time step, which is not written"
+    );
     #include "setRootCaseLists.H"
+    const bool dryRun = args.found("dry-run");
+    functionObject::outputPrefix += dryRun ? "-dry-run" : "";
     const fsi::caseLock lock(args.globalPath());
-    fsi::writtenFiles::setAside(args);
+    const word start(dryRun ? word() : fsi::writtenFiles::setAside(args));
     fsi::fileHeaders::check(args.globalPath()/"system");
-    #include "createTime.H"
+    fsi::solverTime runTime(args, start);
     fsi::restartFiles::takeTime(runTime);
-    fsi::meshFiles::check(runTime, polyMesh::defaultRegion);
-    #include "createMesh.H"
+    #include "createCaseMesh.H"
     #include "createFields.H"
     #include "createFvOptions.H"
 
-    fsi::fluidStep step(objects, p, U, phi, nu.value());
+    fsi::fluidStep step(objects, p, U, phi, fluid.viscosity());
     const fsi::optionSources sources(fvOptions);
     fsi::timeStep timeStep(runTime);
 
@@ -92,6 +117,10 @@ int main(int argc, char *argv[])
         ++runTime;
         objects.log().name();
 
+        if (dryRun)
+        {
+            return tryStep(step, sources);
+        }
         step.advance(sources);
 
         fsi::writtenFiles::write

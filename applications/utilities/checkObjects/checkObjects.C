@@ -13,7 +13,8 @@ Description
     their areas in every step; on demand the speed of objects and fluid, and
     the time step; see Foam::fsi::historyCheck.
 
-    Prints a line per time, more where something is wrong, and at the end
+    Prints a line per time (times without objects, of function objects, are
+    none), more where something is wrong, and at the end
     "Objects are sound" or "Objects are not sound" with the number of faults.
     The exit status is 0 only if there is none. A decomposed case is
     reconstructed first (reconstructPar).
@@ -50,6 +51,7 @@ Usage
 #include "stepHistory.H"
 #include "timeSelector.H"
 #include "volFields.H"
+#include "writtenFiles.H"
 
 using namespace Foam;
 
@@ -138,9 +140,16 @@ int main(int argc, char *argv[])
         ),
         Info
     );
+    label nTimes = 0;
     forAll(times, timei)
     {
         runTime.setTime(times[timei], timei);
+        if (!fsi::writtenFiles::holdsState(runTime.timePath()))
+        {
+            Info<< "Time = " << fsi::nameOf(runTime) << ": no objects" << nl;
+            continue;
+        }
+        ++nTimes;
         const fsi::population objects(runTime);
         const auto found =
             checks.check(objects, fsi::openBoundaries::nRemoved(runTime));
@@ -153,13 +162,13 @@ int main(int argc, char *argv[])
         }
     }
 
-    if (times.empty())
+    if (nTimes == 0)
     {
         FatalErrorInFunction
-            << "There is no time to check" << exit(FatalError);
+            << "There is no time with objects to check" << exit(FatalError);
     }
     Info<< nl << (nFaults ? "Objects are not sound: " : "Objects are sound: ")
-        << nFaults << " faults in " << times.size() << " times" << nl << endl;
+        << nFaults << " faults in " << nTimes << " times" << nl << endl;
     const int status = nFaults ? 1 : 0;
     fsi::endProgram(status);
     return status;

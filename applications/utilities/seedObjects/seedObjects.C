@@ -6,10 +6,11 @@ Application
 Description
     Makes the objects of a case from system/seedObjectsDict.
 
-    Writes constant/fsiObjects (shapes), uniform/fsiObjects of the start time
+    Writes constant/fsiObjects (shapes), constant/fsiSeeding (the mesh they are
+    made for), uniform/fsiObjects of the start time
     (state of the copies) and, to look at the set-up before it is run,
     postProcessing/seedObjects/surfaces.vtp and springs.vtp. Objects that were
-    there before are replaced.
+    seeded there before are replaced; those of a time that a run wrote are not.
 
     The mesh must be uniform and Cartesian. Run it before decomposePar, which
     copies the state to the processors.
@@ -34,10 +35,29 @@ Usage
 #include "objectPolyData.H"
 #include "openfoamCase.H"
 #include "seeding.H"
+#include "timeFolders.H"
 
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+//- Fatal if the start time is one that a run with objects wrote
+static void refuseRun(const Time& runTime)
+{
+    const fileName written(runTime.timePath()/"uniform"/"fsiRestart");
+    const label n = isFile(written) ? fsi::population(runTime).size() : 0;
+    if (n > 0)
+    {
+        FatalErrorInFunction
+            << "Time " << fsi::nameOf(runTime) << " has the " << n
+            << " objects of a run, and seeding would drop them." << nl
+            << "To seed for a new run, let startFrom be startTime or firstTime"
+            << " in controlDict, or remove the times of the old one." << nl
+            << "To go on from the flow of this time with other objects, remove "
+            << written << exit(FatalError);
+    }
+}
+
 
 //- Replace the objects of a case
 static void write(const Time& runTime, const fsi::population& objects)
@@ -100,6 +120,8 @@ int main(int argc, char *argv[])
 
     #include "setRootCase.H"
     #include "createTime.H"
+    fsi::nameByFolder(runTime);
+    refuseRun(runTime);
     #include "createCaseMesh.H"
 
     const IOdictionary dict(fsi::systemFile(args, mesh, "seedObjectsDict"));
@@ -123,6 +145,7 @@ int main(int argc, char *argv[])
     Info<< "Seeded" << nl;
     seeding.report(Info);
     write(runTime, seeding.objects());
+    seeding.writeRecord(runTime);
 
     Info<< "End" << nl << endl;
     return 0;

@@ -30,18 +30,10 @@ namespace Foam
 namespace fsi
 {
 
-//- Entry velocity; fatal if it is zero
-static vector targetVelocity(const dictionary& dict)
+//- Name of a value of the state along an axis
+static word stateKey(const char* name, const std::size_t axis)
 {
-    checkKeys(dict, {"type", "velocity", "relaxationTime"});
-    const vector v(readFinite(dict, "velocity"));
-    if (mag(v) < VSMALL)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'velocity' in dictionary " << dict.name()
-            << " must not be zero" << exit(FatalIOError);
-    }
-    return v;
+    return axis == 0 ? word(name) : word(name + std::to_string(axis));
 }
 
 
@@ -94,6 +86,42 @@ static scalar meanResponse
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::meanVelocityDriving::setAxes(const dictionary& dict)
+{
+    const vector target(readFinite(dict, "velocity"));
+    const vector period(domainSides(mesh_).period());
+    const scalar speed = mag(target);
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (speed < VSMALL && period[d] > 0)
+        {
+            vector axis(Zero);
+            axis[d] = 1;
+            axes_.push_back({axis, 0});
+        }
+        else if (mag(target[d]) > SMALL*speed && !(period[d] > 0))
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'velocity' in dictionary " << dict.name() << " is "
+                << target << " but the domain is not cyclic in direction "
+                << label(d) << exit(FatalIOError);
+        }
+    }
+    if (speed >= VSMALL)
+    {
+        axes_.push_back({target/speed, speed});
+    }
+    if (axes_.empty())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Dictionary " << dict.name() << " keeps the mean velocity, but"
+            << " the domain is cyclic in no direction" << exit(FatalIOError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::meanVelocityDriving::meanVelocityDriving
@@ -104,32 +132,17 @@ Foam::fsi::meanVelocityDriving::meanVelocityDriving
 :
     drivingForce(mesh, dict),
     mesh_(mesh),
-    target_(mag(targetVelocity(dict))),
-    axis_(targetVelocity(dict)/target_),
-    relaxationTime_(readNonNegative(dict, "relaxationTime", 0)),
-    acceleration_(0),
-    mean_(GREAT),
-    momentum_(0),
-    change_(0)
+    relaxationTime_(readNonNegative(dict, "relaxationTime", 0))
 {
-    const vector period(domainSides(mesh).period());
-    for (direction d = 0; d < 3; ++d)
-    {
-        if (mag(axis_[d]) > SMALL && !(period[d] > 0))
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry 'velocity' in dictionary " << dict.name() << " is "
-                << targetVelocity(dict) << " but the domain is not cyclic in"
-                << " direction " << label(d) << exit(FatalIOError);
-        }
-    }
-
+    checkKeys(dict, {"type", "velocity", "relaxationTime"});
+    setAxes(dict);
     const dictionary state(readState(mesh.time(), "fsiDrivingForce"));
-    if (!state.empty())
+    for (std::size_t i = 0; i < axes_.size() && !state.empty(); ++i)
     {
-        acceleration_ = readEntry<scalar>(state, "acceleration");
-        mean_ = readEntry<scalar>(state, "meanVelocity");
-        momentum_ = readEntry<scalar>(state, "momentum");
+        alongAxis& a = axes_[i];
+        a.acceleration = readEntry<scalar>(state, stateKey("acceleration", i));
+        a.mean = readEntry<scalar>(state, stateKey("meanVelocity", i));
+        a.momentum = readEntry<scalar>(state, stateKey("momentum", i));
     }
 }
 
@@ -145,36 +158,72 @@ void Foam::fsi::meanVelocityDriving::update
 {
     const scalarField& V = mesh_.V();
     const scalar volume = overRanks(sum(V), sumOp<scalar>());
-    const vector flow(overRanks(sum(V*U.primitiveField()), sumOp<vector>()));
-    const scalar mean = (flow & axis_)/volume;
-    const scalar momentum =
-        mean + (moreMomentum(objects, density) & axis_)/volume;
+    const vector velocity
+    (
+        overRanks(sum(V*U.primitiveField()), sumOp<vector>())
+    );
+    const vector more(moreMomentum(objects, density));
+    const scalar response = meanResponse(objects, density, volume);
     const Time& time = mesh_.time();
-
-    // The step that led here, and the one to come
-    scalar resistance = 0;
-    if (mean_ < 0.5*GREAT)
+    for (alongAxis& a : axes_)
     {
-        resistance =
-            acceleration_ - (momentum - momentum_)/time.deltaT0Value();
+        const scalar mean = (velocity & a.axis)/volume;
+        const scalar momentum = mean + (more & a.axis)/volume;
+
+        // The step that led here, and the one to come
+        scalar resistance = 0;
+        if (a.mean < 0.5*GREAT)
+        {
+            resistance =
+                a.acceleration - (momentum - a.momentum)/time.deltaT0Value();
+        }
+        // A step cut short by a write time does not have to make up for it all
+        const scalar step = max(time.deltaTValue(), time.deltaT0Value());
+        const scalar last = a.acceleration;
+        a.acceleration =
+            resistance
+          + (a.target - mean)/(response*max(relaxationTime_, step));
+        a.change = a.acceleration - last;
+        a.mean = mean;
+        a.momentum = momentum;
     }
-    // A step cut short by a write time does not have to make up for it all
-    const scalar step = max(time.deltaTValue(), time.deltaT0Value());
-    const scalar last = acceleration_;
-    acceleration_ =
-        resistance
-      + (target_ - mean)
-       /(meanResponse(objects, density, volume)*max(relaxationTime_, step));
-    change_ = acceleration_ - last;
-    mean_ = mean;
-    momentum_ = momentum;
+}
+
+
+Foam::vector Foam::fsi::meanVelocityDriving::acceleration() const
+{
+    vector sum(Zero);
+    for (const alongAxis& a : axes_)
+    {
+        sum += a.acceleration*a.axis;
+    }
+    return sum;
+}
+
+
+Foam::vector Foam::fsi::meanVelocityDriving::change() const
+{
+    vector sum(Zero);
+    for (const alongAxis& a : axes_)
+    {
+        sum += a.change*a.axis;
+    }
+    return sum;
 }
 
 
 void Foam::fsi::meanVelocityDriving::log(Ostream& os) const
 {
-    os  << "Mean velocity " << mean_ << ", driving acceleration "
-        << acceleration_ << endl;
+    for (const alongAxis& a : axes_)
+    {
+        os  << "Mean velocity " << a.mean << ", driving acceleration "
+            << a.acceleration;
+        if (axes_.size() > 1)
+        {
+            os  << ", along " << a.axis;
+        }
+        os  << endl;
+    }
 }
 
 
@@ -186,9 +235,13 @@ void Foam::fsi::meanVelocityDriving::write() const
         time, nameOf(time), "uniform", "fsiDrivingForce", IOstream::ASCII,
         [&](Ostream& os)
         {
-            putEntry(os, "acceleration", acceleration_);
-            putEntry(os, "meanVelocity", mean_);
-            putEntry(os, "momentum", momentum_);
+            for (std::size_t i = 0; i < axes_.size(); ++i)
+            {
+                const alongAxis& a = axes_[i];
+                putEntry(os, stateKey("acceleration", i), a.acceleration);
+                putEntry(os, stateKey("meanVelocity", i), a.mean);
+                putEntry(os, stateKey("momentum", i), a.momentum);
+            }
         }
     );
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "motionCheck.H"
+#include "emptyPolyPatch.H"
 #include "openfoamVersion.H"
+#include "polyBoundaryMesh.H"
 #include "surfacePredicates.H"
+#include "symmetryPlanePolyPatch.H"
+#include "symmetryPolyPatch.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -151,6 +155,49 @@ void Foam::fsi::motionCheck::checkElements() const
                 << bodyGroups::folder/name
                 << exit(FatalError);
         }
+    }
+}
+
+
+void Foam::fsi::motionCheck::checkWeight
+(
+    const polyBoundaryMesh& patches,
+    const vector& period,
+    const vector& gravity,
+    const scalar density
+) const
+{
+    for (const polyPatch& patch : patches)
+    {
+        const bool slips =
+            isA<symmetryPolyPatch>(patch) || isA<symmetryPlanePolyPatch>(patch);
+        if (!patch.coupled() && !isA<emptyPolyPatch>(patch) && !slips)
+        {
+            return;
+        }
+    }
+    scalar weight = 0, all = 0;
+    for (const bodyGroup& group : objects_.groups())
+    {
+        if (group.size() && !group.movesFreely())
+        {
+            return;
+        }
+        const shapeTemplate& shape = group.shape();
+        const scalar ofShape =
+            group.size()*shape.mass()*(1 - density/shape.density());
+        weight += ofShape;
+        all += mag(ofShape);
+    }
+    const scalar along = mag(cmptMultiply(gravity, period));
+    if (mag(weight)*along > 1e-9*all*along)
+    {
+        WarningInFunction
+            << "Nothing holds fluid and objects in this periodic box: gravity"
+            << " will move them ever faster." << nl
+            << "    A vessel of which this is a part has no mean flow:"
+            << " drivingForce { type meanVelocity; velocity (0 0 0); }"
+            << " (fsiProperties)" << nl << endl;
     }
 }
 

@@ -4,6 +4,7 @@
 #include "findRefCell.H"
 #include "objectContact.H"
 #include "openfoamMesh.H"
+#include "stepControls.H"
 #include "selection.H"
 #include "sumOverRanks.H"
 
@@ -109,7 +110,7 @@ void Foam::fsi::couplingModel::solveFluidPressure
 ) const
 {
     fixInactive(p, pEqn);
-    dictionary controls(solutionControls(p.mesh()).subDict(stepControlsName()));
+    dictionary controls(stepControls(p.mesh()));
     if (!controls.found("pRefCell") && !controls.found("pRefPoint"))
     {
         // The first cell; the first ranks may have none

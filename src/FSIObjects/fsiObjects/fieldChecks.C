@@ -67,6 +67,15 @@ static void checkField(const Field& field)
     checkValues(field, "internalField", field.primitiveField());
     for (const auto& patch : field.boundaryField())
     {
+        if (patch.coupled() && patch.type() != patch.patch().type())
+        {
+            FatalErrorInFunction
+                << "Entry '" << patch.patch().name() << "' in file "
+                << pathOf(field) << " is " << patch.type() << ", which makes a"
+                << " jump that this solver does not know: take "
+                << patch.patch().type() << ", and drivingForce (fsiProperties)"
+                << " to drive the flow" << exit(FatalError);
+        }
         checkValues
         (
             field, patch.patch().name(),

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidStep.H"
+#include "fieldChecks.H"
 #include "openfoamMesh.H"
+#include "stockInput.H"
 #include "adjustPhi.H"
 #include "fvMatrices.H"
 
@@ -50,6 +52,7 @@ Foam::fsi::fluidStep::fluidStep
     p_(p),
     U_(U),
     phi_(phi),
+    level_(p),
     viscosity_(viscosity)
 {
     const word timeScheme(ddtSchemeOf(U.mesh(), "ddt(U)"));
@@ -61,6 +64,11 @@ Foam::fsi::fluidStep::fluidStep
             << exit(FatalIOError);
     }
     immersedMomentum::interpolation(phi);
+    if (objects_.coupling().hasFluid())
+    {
+        stockInput::checkFluid(U.mesh());
+        fieldChecks::check(p, U, objects_.system());
+    }
     objects_.setSolidVelocity(U_);
 }
 
@@ -153,6 +161,7 @@ void Foam::fsi::fluidStep::pressure
 
 void Foam::fsi::fluidStep::advance(const flowSources& sources)
 {
+    level_.remove();
     objects_.system().fluid.rule().begin(U_, phi_);
     objects_.startStep(p_, U_);
     if (objects_.coupling().hasFluid())
@@ -197,6 +206,7 @@ void Foam::fsi::fluidStep::advance(const flowSources& sources)
     }
     objects_.finishStep(p_, U_);
     objects_.system().fluid.moveFlux(phi_);
+    level_.set();
 }
 
 

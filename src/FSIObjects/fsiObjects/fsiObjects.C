@@ -8,7 +8,6 @@
 #include "openfoamVersion.H"
 #include "projectVersion.H"
 #include "restartFiles.H"
-#include "IStringStream.H"
 #include "OStringStream.H"
 #include "secondOrderStep.H"
 #include "userVariables.H"
@@ -114,6 +113,14 @@ Foam::fsi::fsiObjects::fsiObjects
         << coupling_->type() << ", wall " << system_.wall->type()
         << ", level set " << system_.levelSet->type() << nl << endl;
     checkMotion();
+    if (coupling_->hasFluid() && system_.driving->type() == "none")
+    {
+        motionCheck(system_.objects, mesh_.time()).checkWeight
+        (
+            mesh_.boundaryMesh(), system_.sides.period(), system_.gravity,
+            system_.fluidDensity
+        );
+    }
 }
 
 

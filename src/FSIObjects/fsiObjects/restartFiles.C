@@ -45,6 +45,10 @@ static const restartFile uniformFiles[] =
         " checkObjects finds objects lost"
     },
     {"fsiContact", "objects that started close push each other apart"},
+    {
+        "fsiPressureLevel",
+        "objects feel the level of the pressure (pRefValue) as a load"
+    },
     {"fsiTimeError", "the error of a step is not known in the first ones"},
     {"fsiTimeStep", "the time step starts anew"}
 };

@@ -199,51 +199,6 @@ Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
 }
 
 
-void Foam::fsi::timeStep::checkCollapse
-(
-    const scalar dt,
-    const scalar fluid,
-    const scalar solid,
-    const fsiObjects& objects
-)
-{
-    // The first steps are as long as the flow is at rest
-    if (++nSteps_ > 10)
-    {
-        floor_.take(dt);
-    }
-    if (dt >= floor_.value())
-    {
-        return;
-    }
-    FatalErrorInFunction
-        << "At time " << nameOf(time_) << " the time step falls to " << dt
-        << " s, below " << floor_.value() << " s";
-    const scalar courantNo = max(fluid, solid);
-    if (limit(courantNo, objects) < byCourant(courantNo))
-    {
-        FatalError
-            << nl << "This is no matter of speed: maxTimeError or maxDiffusion"
-            << " of the controlDict asks for it. Take a larger one, or set"
-            << " minDeltaT" << exit(FatalError);
-    }
-    if (fluid > solid)
-    {
-        FatalError
-            << ": the fluid moves at " << objects.speedOf(fluid) << " m/s";
-    }
-    else
-    {
-        FatalError<< objects.fastest().c_str();
-    }
-    FatalError
-        << nl << "Such a speed is absurd, the run has lost its stability: take"
-        << " a smaller maxCo, give very soft bodies a viscosity (material) or a"
-        << " larger E, and let no inlet be blocked. If the speed is meant, set"
-        << " minDeltaT" << exit(FatalError);
-}
-
-
 Foam::scalar Foam::fsi::timeStep::next
 (
     const surfaceScalarField& phi,

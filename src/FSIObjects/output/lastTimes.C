@@ -68,13 +68,25 @@ static instantList timesOnDisk(const fileName& folder)
 }
 
 
+//- Does any of some folders hold the objects' state at a time?
+static bool anyHoldsState(const fileNameList& folders, const word& time)
+{
+    bool any = false;
+    for (const fileName& folder : folders)
+    {
+        any = any || holdsState(folder/time);
+    }
+    return any;
+}
+
+
 //- The last time that is complete in all folders
 static instant lastComplete(const fileNameList& folders)
 {
     const instantList times(timesOnDisk(folders[0]));
     for (label i = times.size() - 1; i >= 0; --i)
     {
-        bool complete = true;
+        bool complete = anyHoldsState(folders, times[i].name());
         for (const fileName& folder : folders)
         {
             complete = complete && fault(folder/times[i].name(), false).empty();
@@ -104,22 +116,24 @@ static instant lastOf(const fileName& caseFolder)
 }
 
 
-//- Rename the times of a folder that are later than the last complete one
-static void setAsideAfter(const instant& last, const fileName& folder)
+//- Rename the folders of an incomplete time
+static void rename
+(
+    const fileNameList& folders,
+    const word& name,
+    const word& last
+)
 {
-    const instantList times(timesOnDisk(folder));
-    for (label i = times.size() - 1; i >= 0; --i)
+    for (const fileName& folder : folders)
     {
-        const word& name = times[i].name();
-        if (times[i].value() <= last.value())
+        if (!isDir(folder/name))
         {
-            break;
+            continue;
         }
         WarningInFunction
             << "Time " << name << " is incomplete: its run ended while it was"
             << " written. " << folder/name << " is renamed to " << name
-            << ".incomplete, and the run starts from " << last.name() << nl
-            << endl;
+            << ".incomplete, and the run starts from " << last << nl << endl;
         const fileName target(folder/name + ".incomplete");
         if (isDir(target))
         {
@@ -127,6 +141,33 @@ static void setAsideAfter(const instant& last, const fileName& folder)
         }
         mv(folder/name, target);
     }
+}
+
+
+//- Rename the times of folders that are later than the last complete one. True
+//  if some of them stay, since they are those of function objects
+static bool setAsideAfter(const instant& last, const fileNameList& folders)
+{
+    bool stay = false;
+    for (const fileName& folder : folders)
+    {
+        for (const instant& time : timesOnDisk(folder))
+        {
+            if (time.value() <= last.value())
+            {
+                continue;
+            }
+            if (anyHoldsState(folders, time.name()))
+            {
+                rename(folders, time.name(), last.name());
+            }
+            else
+            {
+                stay = true;
+            }
+        }
+    }
+    return stay;
 }
 
 
@@ -185,25 +226,25 @@ Foam::string Foam::fsi::writtenFiles::lastTimeNote(const fileName& caseFolder)
 }
 
 
-void Foam::fsi::writtenFiles::setAside(const argList& args)
+Foam::word Foam::fsi::writtenFiles::setAside(const argList& args)
 {
     const fileName caseFolder(args.rootPath()/args.globalCaseName());
+    word start;
     if (Pstream::master() && startsFromLatest(caseFolder))
     {
         const instant last(lastOf(caseFolder));
+        bool stay = false;
         if (!last.name().empty())
         {
             for (const fileNameList& folders : rankFolders(caseFolder))
             {
-                for (const fileName& folder : folders)
-                {
-                    setAsideAfter(last, folder);
-                }
+                stay = setAsideAfter(last, folders) || stay;
             }
         }
+        start = stay ? last.name() : word();
     }
     // The others wait for the renamed folders
-    gatherOverRanks(true);
+    return gatherOverRanks(start)[0];
 }
 
 

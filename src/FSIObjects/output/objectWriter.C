@@ -5,6 +5,7 @@
 #include "openfoamTypes.H"
 #include "objectPolyData.H"
 #include "surfacePredicates.H"
+#include "timeFolders.H"
 #include "Switch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -73,7 +74,7 @@ Foam::fsi::objectWriter::objectWriter
 
     const fileName folder
     (
-        time.globalPath()/"postProcessing"/bodyGroups::folder
+        time.globalPath()/outputFolder()/bodyGroups::folder
        /time.timeName(time.startTime().value())
     );
     const bool binary = dict.lookupOrDefault<Switch>("binary", true);

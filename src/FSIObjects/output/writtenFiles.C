@@ -138,6 +138,20 @@ Foam::fileName Foam::fsi::writtenFiles::fault
 }
 
 
+bool Foam::fsi::writtenFiles::holdsState(const fileName& timeFolder)
+{
+    const fileName folder(timeFolder/"uniform");
+    for (const fileName& file : filesIn(folder))
+    {
+        if (file.find("fsi") == 0)
+        {
+            return true;
+        }
+    }
+    return isDir(folder/"fsiObjects");
+}
+
+
 void Foam::fsi::writtenFiles::write
 (
     Time& time,

@@ -5,7 +5,28 @@
 #include "objectContact.H"
 #include "openfoamMesh.H"
 #include "readBetween.H"
+#include "seedRecord.H"
 #include "stateChecks.H"
+#include "stockInput.H"
+#include "timeFolders.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- The mesh, its time with the name of the folder that is read
+static const fvMesh& named(const fvMesh& mesh)
+{
+    nameByFolder(const_cast<Time&>(mesh.time()));
+    return mesh;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -25,7 +46,7 @@ Foam::fsi::fsiSystem::fsiSystem
         )
     ),
     properties(dict),
-    grid(mesh),
+    grid(named(mesh)),
     sides(mesh),
     objects(mesh.time()),
     wall(wallTreatment::New(dict)),
@@ -44,7 +65,7 @@ Foam::fsi::fsiSystem::fsiSystem
         ) == "linear"
     ),
     shortWaveStress(readNonNegative(dict, "shortWaveStress", 1)),
-    gravity(readFinite(dict, "gravity", Zero)),
+    gravity(stockInput::gravity(mesh, dict)),
     images_(sides.images()),
     surfaces_(&objects.surfaces())
 {
@@ -57,13 +78,7 @@ Foam::fsi::fsiSystem::fsiSystem
             << exit(FatalError);
     }
     stateChecks::checkMesh(objects, grid.bounds(), grid.thickness());
-    if (grid.nDims() == 2 && gravity.z() != 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'gravity' in dictionary " << dict.name() << " is "
-            << gravity << " but a mesh in x and y does not feel its part in z"
-            << exit(FatalIOError);
-    }
+    stockInput::checkFrame(mesh);
     const word scheme(ddtSchemeOf(mesh, "ddt(U)"));
     if (scheme == "steadyState")
     {
@@ -73,6 +88,7 @@ Foam::fsi::fsiSystem::fsiSystem
             << exit(FatalIOError);
     }
     renew();
+    seedRecord::check(objects, mesh.time(), sides, grid.spacing());
     contacts = std::make_unique<objectContact>(*this);
 }
 
