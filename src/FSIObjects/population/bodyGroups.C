@@ -5,6 +5,7 @@
 #include "IOobjectList.H"
 #include "openfoamVersion.H"
 #include "stateChecks.H"
+#include "userVariables.H"
 #include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
@@ -135,7 +136,7 @@ void Foam::fsi::bodyGroups::write() const
             shapes_[groupi].name(), time_.writeFormat(),
             [&](Ostream& os)
             {
-                putDict(os, "motion", motions_[groupi]);
+                putDict(os, "motion", userVariables::without(motions_[groupi]));
                 groups_[groupi].write(os);
             }
         );

@@ -62,7 +62,6 @@ static bool matchesAny(const keyType& pattern, const wordList& names)
 
 void Foam::fsi::checkKeys(const dictionary& dict, const wordList& known)
 {
-    wordList variables;
     for (const entry& e : dict)
     {
         const keyType& key = e.keyword();
@@ -82,7 +81,7 @@ void Foam::fsi::checkKeys(const dictionary& dict, const wordList& known)
             )
         )
         {
-            variables.append(key);
+            userVariables::note(dict, key);
             continue;
         }
         FatalIOErrorInFunction(dict)
@@ -94,10 +93,6 @@ void Foam::fsi::checkKeys(const dictionary& dict, const wordList& known)
         FatalIOError
             << nl << "Valid entries are " << flatOutput(known)
             << exit(FatalIOError);
-    }
-    for (const word& name : variables)
-    {
-        const_cast<dictionary&>(dict).remove(name);
     }
 }
 

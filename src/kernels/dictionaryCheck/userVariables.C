@@ -8,7 +8,9 @@
 #include "OSspecific.H"
 
 #include <cctype>
+#include <map>
 #include <regex>
+#include <set>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -18,6 +20,14 @@ namespace fsi
 {
 namespace userVariables
 {
+
+//- Entries that were noted, by the names of their dictionaries
+static std::map<std::string, std::set<word>>& noted()
+{
+    static std::map<std::string, std::set<word>> all;
+    return all;
+}
+
 
 //- A file's text without its comments. By hand: a regular expression over a
 //  long comment needs a stack as long
@@ -201,6 +211,31 @@ bool Foam::fsi::userVariables::isCopied
     }
     IFstream is(file);
     return usedHasKey(dictionary(is), usedIn(file), key);
+}
+
+
+void Foam::fsi::userVariables::note(const dictionary& dict, const word& key)
+{
+    noted()[dict.name()].insert(key);
+}
+
+
+Foam::dictionary Foam::fsi::userVariables::without(const dictionary& dict)
+{
+    dictionary all(dict);
+    const std::set<word>& names = noted()[dict.name()];
+    for (const entry& e : dict)
+    {
+        if (names.count(e.keyword()))
+        {
+            all.remove(e.keyword());
+        }
+        else if (e.isDict())
+        {
+            all.subDict(e.keyword()) = without(e.dict());
+        }
+    }
+    return all;
 }
 
 
