@@ -32,6 +32,7 @@ static const restartFile fieldFiles[] =
     {"phi", "the fluxes are interpolated from U"},
     {"faceHistory", "the velocities of faces start without their history"},
     {"filmChange", "films between objects start anew"},
+    {"forcingCoefficient", "the load of the fluid on objects starts anew"},
     {"velocityRate", "the error of the first step is not known"},
     {"pressureRate", "the first pressure is found from another start"}
 };
@@ -49,6 +50,7 @@ static const restartFile uniformFiles[] =
         "fsiPressureLevel",
         "objects feel the level of the pressure (pRefValue) as a load"
     },
+    {"fsiForcing", "the load of the fluid on objects starts anew"},
     {"fsiTimeError", "the error of a step is not known in the first ones"},
     {"fsiTimeStep", "the time step starts anew"}
 };

@@ -37,12 +37,25 @@ Foam::fsi::directForcing::directForcing
     strength_(readPositive(dict, "strength", 1000)),
     virtualMass_(readNonNegative(dict, "virtualMass", 1)),
     coverage_(system.grid, max(label(readPositive(dict, "samples", 4)), 1)),
+    coefficientField_
+    (
+        IOobject
+        (
+            "forcingCoefficient",
+            nameOf(system.grid.mesh().time()),
+            system.grid.mesh(),
+            IOobject::READ_IF_PRESENT,
+            IOobject::AUTO_WRITE
+        ),
+        system.grid.mesh(),
+        dimensionedScalar(dimless/dimTime, Zero)
+    ),
     renewed_(true)
 {
     checkKeys(dict, {"type", "strength", "virtualMass", "samples"});
-    system.objects.layout().zero(load_);
     system.objects.layout().zero(lag_);
-    lastVelocity_ = objectVelocities();
+    renew();
+    renewed_ = !read();
 }
 
 
@@ -196,15 +209,6 @@ void Foam::fsi::directForcing::begin
 }
 
 
-void Foam::fsi::directForcing::renew()
-{
-    noFluid::renew();
-    system_.objects.layout().zero(load_);
-    lastVelocity_ = objectVelocities();
-    renewed_ = true;
-}
-
-
 void Foam::fsi::directForcing::end
 (
     const volScalarField&,
@@ -227,6 +231,8 @@ void Foam::fsi::directForcing::force(fvVectorMatrix& UEqn)
     const UList<label>& cells = coverage_.cells();
     const scalarField fractions(coverage_.fractions());
     coefficient_.setSize(cells.size());
+    coefficientField_.primitiveFieldRef() = Zero;
+    const scalar V = system_.grid.faceArea()*system_.grid.spacing();
     forAll(cells, i)
     {
         const label celli = cells[i];
@@ -235,6 +241,7 @@ void Foam::fsi::directForcing::force(fvVectorMatrix& UEqn)
            /(1 - fractions[i] + 1/strength_);
         UEqn.diag()[celli] += coefficient_[i];
         UEqn.source()[celli] += coefficient_[i]*cellVelocity_[i];
+        coefficientField_[celli] = coefficient_[i]/V;
     }
 }
 

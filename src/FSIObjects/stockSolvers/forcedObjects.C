@@ -164,6 +164,10 @@ void Foam::fsi::forcedObjects::advance()
         forcing_.takeObjects(U.oldTime().primitiveField());
         objects_.finishStep(p, U);
         forcing_.updateCoverage();
+        if (time.writeTime())
+        {
+            forcing_.write();
+        }
         objects_.write();
     }
 }
