@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectFeed.H"
+#include "feedVelocity.H"
 #include "openfoamMesh.H"
 #include "readBetween.H"
 #include "rotations.H"
@@ -71,13 +72,11 @@ void Foam::fsi::objectFeed::check(const dictionary& dict) const
             << "Dictionary " << dict.name() << " needs either the entry 'rate'"
             << " or the entry '" << fraction << '\'' << exit(FatalIOError);
     }
-    if ((velocity_ & domainSides::outward(side_)) >= 0)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'velocity' in dictionary " << dict.name() << " is "
-            << velocity_ << " but must point into the domain, against "
-            << domainSides::outward(side_) << exit(FatalIOError);
-    }
+    checkFeedVelocity
+    (
+        dict, velocity_, side_, grid_, objects_.motion(group_),
+        max(nextTime_, grid_.mesh().time().value())
+    );
     if (velocityPerturbation_ >= 1)
     {
         FatalIOErrorInFunction(dict)

@@ -50,6 +50,20 @@ Foam::label Foam::fsi::motionCheck::nInverted
 }
 
 
+std::string Foam::fsi::motionCheck::namesOf(const labelPair& pair) const
+{
+    std::string names;
+    for (const label objecti : {pair.first(), pair.second()})
+    {
+        names +=
+            (names.empty() ? "" : " and ")
+          + std::to_string(objects_.objectId(objecti)) + " of shape "
+          + objects_.shape(objects_.objectGroup(objecti)).name();
+    }
+    return names;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::motionCheck::checkSpeeds
@@ -112,19 +126,46 @@ void Foam::fsi::motionCheck::checkPrescribed(const vector& period) const
     );
     if (pairs.size())
     {
-        const auto nameOfObject = [&](const label objecti)
-        {
-            return
-                Foam::name(objects_.objectId(objecti)) + " of shape "
-              + objects_.shape(objects_.objectGroup(objecti)).name();
-        };
         FatalErrorInFunction
-            << "Objects " << nameOfObject(pairs[0].first()).c_str() << " and "
-            << nameOfObject(pairs[0].second()).c_str()
+            << "Objects " << namesOf(pairs[0]).c_str()
             << ", both with a prescribed motion, overlap at time "
             << nameOf(time_) << ": nothing can part them. Let their motions"
             << " (entry 'motion' of the shapes) keep them apart"
             << exit(FatalError);
+    }
+}
+
+
+void Foam::fsi::motionCheck::checkOverlaps(const vector& period) const
+{
+    const surfaceSet& surfaces = objects_.surfaces();
+    DynamicList<label> sound;
+    for (label objecti = 0; objecti < objects_.size(); ++objecti)
+    {
+        if (!surfacePredicates::cutsItself(surfaces, objecti))
+        {
+            sound.append(objecti);
+        }
+    }
+    for
+    (
+        const labelPair& pair
+      : surfacePredicates::overlapping(surfaces, sound, period)
+    )
+    {
+        if
+        (
+            objects_.movesFreely(pair.first())
+         || objects_.movesFreely(pair.second())
+        )
+        {
+            FatalErrorInFunction
+                << "Objects " << namesOf(pair).c_str()
+                << " overlap at the start, time " << nameOf(time_)
+                << ": no force could part them. checkObjects lists all; seed"
+                << " them anew, or start from another time"
+                << exit(FatalError);
+        }
     }
 }
 

@@ -3,8 +3,8 @@
 #include "fluidStep.H"
 #include "fieldChecks.H"
 #include "openfoamMesh.H"
+#include "outflowBalance.H"
 #include "stockInput.H"
-#include "adjustPhi.H"
 #include "fvMatrices.H"
 
 // * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
@@ -138,11 +138,13 @@ void Foam::fsi::fluidStep::pressure
     const flowSources& sources
 )
 {
-    const scalar rAU = objects_.system().fluid.rule().step();
+    fsiSystem& system = objects_.system();
+    const scalar rAU = system.fluid.rule().step();
 
+    system.setGivenFlux(p_, U_, objects_.coupling().wallVelocity());
     if (p_.needReference())
     {
-        adjustPhi(phi_, U_, p_);
+        balanceOutflow(phi_, U_, system.walls.givenFlux());
     }
     {
         const stepTimer::section pressure

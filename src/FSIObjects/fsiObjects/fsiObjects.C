@@ -69,7 +69,6 @@ Foam::fsi::fsiObjects::fsiObjects
         )
     ),
     system_(mesh, checked(properties_), viscosity),
-    timer_(),
     boundaries_(system_.grid, system_.sides, system_.objects, properties_),
     coupling_(select(system_, timer_)),
     writer_
@@ -113,9 +112,11 @@ Foam::fsi::fsiObjects::fsiObjects
         << coupling_->type() << ", wall " << system_.wall->type()
         << ", level set " << system_.levelSet->type() << nl << endl;
     checkMotion();
+    const motionCheck check(system_.objects, mesh_.time());
+    check.checkOverlaps(system_.sides.period());
     if (coupling_->hasFluid() && system_.driving->type() == "none")
     {
-        motionCheck(system_.objects, mesh_.time()).checkWeight
+        check.checkWeight
         (
             mesh_.boundaryMesh(), system_.sides.period(), system_.gravity,
             system_.fluidDensity
@@ -193,7 +194,7 @@ void Foam::fsi::fsiObjects::startStep
     system_.addBodyForce(force);
     if (coupling_->hasFluid())
     {
-        system_.addOutsidePressure(p, U, force);
+        system_.addOutsidePressure(p, force);
     }
     for (bodyGroup& group : system_.objects.groups())
     {
@@ -254,11 +255,10 @@ void Foam::fsi::fsiObjects::setSolidVelocity(volVectorField& U) const
 
 Foam::scalar Foam::fsi::fsiObjects::courantNo() const
 {
-    const vectorField& v = system_.objects.surfaces().velocities();
     scalar largest = 0;
-    for (const vector& vi : v)
+    for (const vector& v : system_.objects.surfaces().velocities())
     {
-        largest = max(largest, cmptMax(cmptMag(vi)));
+        largest = max(largest, cmptMax(cmptMag(v)));
     }
     return largest*system_.deltaT()/system_.grid.spacing();
 }

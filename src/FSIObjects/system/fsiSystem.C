@@ -153,7 +153,6 @@ void Foam::fsi::fsiSystem::addBodyForce(groupNodal& force) const
 void Foam::fsi::fsiSystem::addOutsidePressure
 (
     const volScalarField& p,
-    const volVectorField& U,
     groupNodal& force
 )
 {
@@ -162,7 +161,7 @@ void Foam::fsi::fsiSystem::addOutsidePressure
         return;
     }
     vectorField nodal;
-    walls.setOutside(p, U, nodal);
+    walls.setOutside(p, nodal);
     nodal *= fluidDensity;
     groupNodal outside;
     objects.layout().toGroups(nodal, outside);
@@ -170,6 +169,26 @@ void Foam::fsi::fsiSystem::addOutsidePressure
     {
         force[groupi] += outside[groupi];
     }
+}
+
+
+void Foam::fsi::fsiSystem::setGivenFlux
+(
+    const volScalarField& p,
+    const volVectorField& U,
+    const vectorField& v
+)
+{
+    if (!sides.anyOpen())
+    {
+        return;
+    }
+    boolList isFree(objects.size());
+    forAll(isFree, objecti)
+    {
+        isFree[objecti] = objects.movesFreely(objecti);
+    }
+    walls.setGivenFlux(p, U, isFree, v);
 }
 
 

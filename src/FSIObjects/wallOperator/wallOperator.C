@@ -82,14 +82,19 @@ void Foam::fsi::wallOperator::setCuts(const surfaceSet& surfaces)
 {
     cutNodes_.clear();
     cutAreas_.clear();
+    cutPatches_.clear();
     cutFaces_.clear();
+    const polyBoundaryMesh& patches =
+        geometry_.grid().mesh().boundaryMesh();
     const auto add = [&](const label nodei, const wallFace& w, const scalar s)
     {
         vector area(Zero);
         area[w.dir] = (w.lower >= 0 ? s : -s)*w.area;
         cutNodes_.append(nodei);
         cutAreas_.append(area);
-        cutFaces_.append(w.face);
+        const label patchi = patches.whichPatch(w.face);
+        cutPatches_.append(patchi);
+        cutFaces_.append(w.face - patches[patchi].start());
     };
     for (const wallFace& w : geometry_.outsideWalls())
     {
@@ -132,34 +137,51 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
 void Foam::fsi::wallOperator::setOutside
 (
     const volScalarField& p,
-    const volVectorField& U,
     vectorField& force
 )
 {
     force.setSize(nNodes_);
     force = Zero;
-    givenFlux_ = Zero;
     vectorField cut(nNodes_, Zero);
-    const polyBoundaryMesh& boundary = p.mesh().boundaryMesh();
     forAll(cutNodes_, i)
     {
-        const label patchi = boundary.whichPatch(cutFaces_[i]);
-        const label facei = cutFaces_[i] - boundary[patchi].start();
-        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        const fvPatchScalarField& pp = p.boundaryField()[cutPatches_[i]];
         if (pp.fixesValue())
         {
             cut[cutNodes_[i]] -= cutAreas_[i];
-            force[cutNodes_[i]] -= pp[facei]*cutAreas_[i];
-        }
-        else
-        {
-            givenFlux_[pointObject_[cutNodes_[i]]] +=
-                cutAreas_[i] & U.boundaryField()[patchi][facei];
+            force[cutNodes_[i]] -= pp[cutFaces_[i]]*cutAreas_[i];
         }
     }
-    sumOverRanks(cut, givenFlux_);
+    sumOverRanks(cut);
     sumOverRanks(force);
     uniformForce_ += cut;
+}
+
+
+void Foam::fsi::wallOperator::setGivenFlux
+(
+    const volScalarField& p,
+    const volVectorField& U,
+    const boolList& isFree,
+    const vectorField& v
+)
+{
+    givenFlux_ = Zero;
+    forAll(cutNodes_, i)
+    {
+        if (!p.boundaryField()[cutPatches_[i]].fixesValue())
+        {
+            const label objecti = pointObject_[cutNodes_[i]];
+            givenFlux_[objecti] +=
+                cutAreas_[i]
+              & (
+                    isFree[objecti]
+                  ? U.boundaryField()[cutPatches_[i]][cutFaces_[i]]
+                  : v[cutNodes_[i]]
+                );
+        }
+    }
+    sumOverRanks(givenFlux_);
 }
 
 

@@ -31,24 +31,68 @@ def field(case, time, name):
     return values[::3] if "volVectorField" in text else values
 
 
+FEED = ("boundaries {{ feed {{ left {{ shape disc; velocity (1 0 0); seed 5; "
+        "{} }} }} }}\nfaceHistory none;\n")
+
+# Where no patch gives the pressure: all velocities are given, or the outflow
+# is what goes in
+GIVEN = {"given": OPEN["left"],
+         "adjusted": ("type zeroGradient;", "type zeroGradient;")}
+
+
 def check_uniform(report, folder):
     """A disc that moves with a uniform flow leaves without any trace."""
-    case = report.attempt("uniform flow", solve, folder, "uniform",
-                          ((1.5, 0.47, SPEED),), walls=PLUG, writeInterval=5)
-    if case is None:
-        return
-    times = [t for t in results.times(case) if float(t) > 0]
-    p = max(abs(v) for t in times for v in field(case, t, "p"))
-    u = max(abs(v - SPEED) for t in times for v in field(case, t, "U"))
-    print(f"    pressure {p:.1e}, velocity {u:.1e} off")
-    # Of the dynamic pressure 1/2 and of the speed
-    report.check("uniform flow: no pressure", p < 1e-6, f"{p:.2e}")
-    report.check("uniform flow: no change of velocity", u < 1e-6, f"{u:.2e}")
-    last = results.table(case, "global.csv")[-1]
-    report.check("the disc is removed and counted",
-                 (last["objects"], last["removed"]) == (0, 1), last)
-    log = results.read(case, "log.fsiPisoFoam")
-    report.check("the log tells that it left", "left through" in log, "no")
+    for name, right in {"uniform": OPEN["right"], **GIVEN}.items():
+        case = report.attempt(
+            f"{name} flow", solve, folder, name, ((1.5, 0.47, SPEED),),
+            walls=PLUG, writeInterval=5, open={**OPEN, "right": right})
+        if case is None:
+            continue
+        times = [t for t in results.times(case) if float(t) > 0]
+        p = max(abs(v) for t in times for v in field(case, t, "p"))
+        u = max(abs(v - SPEED) for t in times for v in field(case, t, "U"))
+        print(f"    {name}: pressure {p:.1e}, velocity {u:.1e} off")
+        # Of the dynamic pressure 1/2 and of the speed
+        report.check(f"{name} flow: no pressure", p < 1e-6, f"{p:.2e}")
+        report.check(f"{name} flow: no change of velocity", u < 1e-6,
+                     f"{u:.2e}")
+        last = results.table(case, "global.csv")[-1]
+        report.check(f"{name} flow: the disc is removed and counted",
+                     (last["objects"], last["removed"]) == (0, 1), last)
+        log = results.read(case, "log.fsiPisoFoam")
+        report.check(f"{name} flow: the log tells that it left",
+                     "left through" in log, "no")
+
+
+def check_inlets(report, folder):
+    """Where no patch gives the pressure discs come in as fast as the fluid; a
+    fixed disc lets nothing through the half of an inlet that it covers."""
+    for name, right in GIVEN.items():
+        case = report.attempt(
+            f"inlet, {name}", solve, folder, "inlet" + name, (), walls=PLUG,
+            open={**OPEN, "right": right}, endTime=0.5, properties=FEED.format(
+                "rate 4;") + "output { objectsEvery 1; }\n")
+        if case is not None:
+            speeds = [r["velocityX"]
+                      for r in results.table(case, "objects.csv")]
+            report.check(f"discs come in with the flow, {name}",
+                         len(speeds) > 40 and max(
+                             abs(u - SPEED) for u in speeds) < 1e-6,
+                         f"{min(speeds)} to {max(speeds)}")
+    for name, right in {"fixed": OPEN["right"],
+                        "adjusted": GIVEN["adjusted"]}.items():
+        case = report.attempt(
+            f"covered inlet, {name}", solve, folder, "covered" + name,
+            ((0, 0.5, 0),), endTime=0.05, writeInterval=5,
+            open={**OPEN, "right": right}, shapes="disc { shape { type circle; "
+            "radius 0.25; } material { type rigid; density 1; } motion { type "
+            "fixed; } }", placements="a { type listed; shape disc; minimumGap "
+            "0; wallGap 0; objects ({ centre (0 0.5 0); }); }")
+        if case is not None:
+            out = field(case, "0.05", "U")[CELLS[0] - 1::CELLS[0]]
+            report.check(f"a fixed disc closes its part of an inlet, {name}",
+                         abs(sum(out)/len(out)/SPEED - 0.5) < 0.01,
+                         f"{sum(out)/len(out)}")
 
 
 def check_pressure(report, folder):
@@ -94,10 +138,6 @@ def pressure_changes(case):
                                if p is not None and q is not None))
         before = after
     return changes
-
-
-FEED = ("boundaries {{ feed {{ left {{ shape disc; velocity (1 0 0); seed 5; "
-        "{} }} }} }}\nfaceHistory none;\n")
 
 
 def check_sound(report, case):
@@ -217,6 +257,7 @@ def main(folder):
     """The checks."""
     report = fsiCase.Report()
     check_uniform(report, folder)
+    check_inlets(report, folder)
     check_pressure(report, folder)
     check_feed(report, folder)
     check_long(report, folder)
