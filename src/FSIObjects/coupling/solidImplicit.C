@@ -96,10 +96,7 @@ void Foam::fsi::solidImplicit::begin
 )
 {
     const scalar time = p.time().value() - system_.deltaT();
-    if (system_.fluid.conserves())
-    {
-        balance_.pay();
-    }
+    balance_.pay();
 
     oldPressure_.reset
     (
@@ -211,7 +208,7 @@ void Foam::fsi::solidImplicit::renew()
 
 bool Foam::fsi::solidImplicit::countsLayer() const
 {
-    return system_.fluid.conserves() && !system_.fluid.rule().secondOrder();
+    return !system_.fluid.rule().secondOrder();
 }
 
 
@@ -241,11 +238,7 @@ void Foam::fsi::solidImplicit::end
 )
 {
     pressure_.endStep(p);
-    const bool conserves = system_.fluid.conserves();
-    if (conserves)
-    {
-        settle(U);
-    }
+    settle(U);
     limitContact(velocity_);
     constrain(velocity_);
 
@@ -253,7 +246,7 @@ void Foam::fsi::solidImplicit::end
     system_.walls.transpose(p.primitiveField(), nodal);
     hydrodynamicForce_ =
         linkForce_ + gradientForce_ + system_.fluidDensity*nodal;
-    if (conserves && !countsLayer())
+    if (!countsLayer())
     {
         hydrodynamicForce_ += balance_.close();
     }

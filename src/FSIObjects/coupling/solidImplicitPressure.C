@@ -62,10 +62,7 @@ void Foam::fsi::solidImplicit::solvePressure
     pEqn.clear();
 
     subtractGradient(geometry, p, rAU, phiHbyA);
-    if (system_.fluid.conserves())
-    {
-        system_.fluid.cut().end(phiHbyA);
-    }
+    system_.fluid.cut().end(phiHbyA);
 
     // Velocities of all nodes with the increment of the pressure
     groupNodal force;
@@ -83,11 +80,8 @@ void Foam::fsi::solidImplicit::correctVelocity
 )
 {
     tmp<volVectorField> tgradient(system_.fluid.openGradient(p));
-    if (system_.fluid.conserves())
-    {
-        system_.walls.gradientForce(tgradient(), newGradientForce_);
-        newGradientForce_ *= system_.fluidDensity;
-    }
+    system_.walls.gradientForce(tgradient(), newGradientForce_);
+    newGradientForce_ *= system_.fluidDensity;
     const vectorField& gradient = tgradient().primitiveField();
     const boolList& fluid = system_.geometry.fluidCell();
     const scalar V = system_.grid.faceArea()*system_.grid.spacing();

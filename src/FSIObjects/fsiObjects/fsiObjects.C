@@ -27,10 +27,10 @@ static const dictionary& checked(const dictionary& dict)
         dict,
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
-            "faceHistory", "convection", "transposedStress", "shortWaveStress",
-            "levelSet",
-            "coupling", "contact", "boundaries", "drivingForce", "output"
-        }
+            "shortWaveStress", "levelSet", "coupling", "contact",
+            "boundaries", "drivingForce", "output"
+        },
+        {"convection", "faceHistory", "transposedStress"}
     );
     checkSubDicts
     (

@@ -114,21 +114,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const surfaceScalarField& open = geometry_.openArea();
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar area = geometry_.grid().faceArea();
-    const bool fades = history_ == history::fading;
-    const fadingPart lost(fades ? fadingGradient(U, viscosity) : fadingPart(0));
+    const fadingPart lost(fadingGradient(U, viscosity));
     const scalar ofCut = rule_.secondOrder() ? 0 : 1;
     const labelUList& own = p.mesh().owner();
     const labelUList& nei = p.mesh().neighbour();
     forAll(flux, facei)
     {
-        flux[facei] = (flux[facei] + history[facei])*area*open[facei];
-        if (fades)
-        {
-            const scalar part = fluidFace[facei] < 0.5 ? ofCut : 1;
-            flux[facei] -=
-                lost.inside(facei)*open[facei]*part
-               *excess(gradient, p, own, nei, facei);
-        }
+        const scalar part = fluidFace[facei] < 0.5 ? ofCut : 1;
+        flux[facei] =
+            (flux[facei] + history[facei])*area*open[facei]
+          - lost.inside(facei)*open[facei]*part
+           *excess(gradient, p, own, nei, facei);
     }
     forAll(flux.boundaryField(), patchi)
     {
@@ -137,10 +133,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
             (pf + history.boundaryField()[patchi])
            *pf.patch().magSf()*open.boundaryField()[patchi];
     }
-    if (fades)
-    {
-        fadeOnPatches(lost, ofCut, gradient, p, flux);
-    }
+    fadeOnPatches(lost, ofCut, gradient, p, flux);
     return tflux;
 }
 

@@ -9,16 +9,15 @@
 
 Foam::fsi::immersedFluid::immersedFluid
 (
-    const interfaceGeometry& geometry,
-    const dictionary& dict
+    const interfaceGeometry& geometry
 )
 :
     geometry_(geometry),
     faces_(geometry),
     rule_(geometry.grid().mesh()),
     gradient_(geometry),
-    momentum_(geometry, rule_, dict),
-    flux_(geometry, faces_, rule_, dict)
+    momentum_(geometry, rule_),
+    flux_(geometry, faces_, rule_)
 {}
 
 

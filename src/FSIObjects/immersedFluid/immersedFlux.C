@@ -1,21 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFlux.H"
-#include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
 #include "openfoamMesh.H"
-
-// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
-
-const Foam::Enum<Foam::fsi::immersedFlux::history>
-Foam::fsi::immersedFlux::historyNames
-({
-    {history::fading, "fading"},
-    {history::limited, "limited"},
-    {history::full, "full"},
-    {history::none, "none"}
-});
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -38,35 +25,13 @@ Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
 }
 
 
-Foam::scalar Foam::fsi::immersedFlux::kept
-(
-    const scalar velocity,
-    const scalar interpolated,
-    const scalar fading
-) const
-{
-    const scalar difference = velocity - interpolated;
-    switch (history_)
-    {
-        case history::fading: return difference/(1 + fading);
-        case history::full:   return difference;
-        case history::none:   return 0;
-        case history::limited: break;
-    }
-    return
-        difference
-       *(1 - min(mag(difference)/(mag(velocity) + VSMALL), 1.0));
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::immersedFlux::immersedFlux
 (
     const interfaceGeometry& geometry,
     const faceVelocities& faces,
-    const timeRule& rule,
-    const dictionary& dict
+    const timeRule& rule
 )
 :
     geometry_(geometry),
@@ -85,13 +50,6 @@ Foam::fsi::immersedFlux::immersedFlux
         geometry.grid().mesh(),
         dimensionedScalar(dimVelocity, Zero)
     ),
-    history_
-    (
-        historyNames
-        [
-            readChoice(dict, "faceHistory", "fading", historyNames.names())
-        ]
-    ),
     moved_(geometry, faces)
 {
     // Files of earlier versions do not say so
@@ -109,7 +67,7 @@ void Foam::fsi::immersedFlux::endMove
 )
 {
     const scalar h = geometry_.grid().spacing();
-    const scalar deltaT = history_ == history::fading ? rule_.step() : 0;
+    const scalar deltaT = rule_.step();
     moved_.end
     (
         U,
@@ -150,11 +108,10 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
     {
         faceHistory_[facei] =
             open[facei] > 0
-          ? kept
-            (
-                phi[facei]/(open[facei]*area),
-                interpolated[facei],
-                fadingOf(geometry_.fluidFace()[facei], fading.inside(facei))
+          ? (phi[facei]/(open[facei]*area) - interpolated[facei])
+           /(
+                1
+              + fadingOf(geometry_.fluidFace()[facei], fading.inside(facei))
             )
           : 0;
     }
@@ -166,11 +123,13 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
         {
             ph[i] =
                 po.coupled() && po[i] > 0
-              ? kept
-                (
-                    phi.boundaryField()[patchi][i]/(po[i]*area),
-                    interpolated.boundaryField()[patchi][i],
-                    fadingOf
+              ? (
+                    phi.boundaryField()[patchi][i]/(po[i]*area)
+                  - interpolated.boundaryField()[patchi][i]
+                )
+               /(
+                    1
+                  + fadingOf
                     (
                         geometry_.fluidFace().boundaryField()[patchi][i],
                         fading.onPatch(po.patch(), i)

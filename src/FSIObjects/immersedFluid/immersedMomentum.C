@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedMomentum.H"
-#include "dictionaryCheck.H"
 #include "fetchAhead.H"
 #include "fvcSurfaceIntegrate.H"
 #include "openfoamMesh.H"
@@ -117,17 +116,11 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::transport
 Foam::fsi::immersedMomentum::immersedMomentum
 (
     const interfaceGeometry& geometry,
-    const timeRule& rule,
-    const dictionary& dict
+    const timeRule& rule
 )
 :
     geometry_(geometry),
     rule_(rule),
-    conserves_
-    (
-        readChoice(dict, "convection", "conserving", {"conserving", "openPart"})
-     == "conserving"
-    ),
     cut_(geometry)
 {}
 
@@ -143,10 +136,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::momentum
     const vector& acceleration
 )
 {
-    if (conserves_)
-    {
-        cut_.begin(flux);
-    }
+    cut_.begin(flux);
     tmp<fvVectorMatrix> tequation(transport(flux, U, viscosity));
     fvVectorMatrix& equation = tequation.ref();
     const scalar perStep = 1/rule_.step();

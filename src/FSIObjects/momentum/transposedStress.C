@@ -49,7 +49,7 @@ static List<vector> rotationAxes(const direction nDims)
 
 //- Velocity gradients of size 1, normal to each other: the rotations, and the
 //  strains free of divergence
-static List<tensor> gradients(const direction nDims, const bool linear)
+static List<tensor> gradients(const direction nDims)
 {
     const scalar half = Foam::sqrt(0.5);
     List<tensor> all;
@@ -57,12 +57,9 @@ static List<tensor> gradients(const direction nDims, const bool linear)
     {
         all.append(half*crossProduct(axis));
     }
-    if (linear)
-    {
-        all.append(half*tensor(1, 0, 0, 0, -1, 0, 0, 0, 0));
-        all.append(half*tensor(0, 1, 0, 1, 0, 0, 0, 0, 0));
-    }
-    if (linear && nDims == 3)
+    all.append(half*tensor(1, 0, 0, 0, -1, 0, 0, 0, 0));
+    all.append(half*tensor(0, 1, 0, 1, 0, 0, 0, 0, 0));
+    if (nDims == 3)
     {
         all.append(half*tensor(0, 0, 1, 0, 0, 0, 1, 0, 0));
         all.append(half*tensor(0, 0, 0, 0, 0, 1, 0, 1, 0));
@@ -122,17 +119,6 @@ public:
         return Foam::sqrt(min(1.0, limit/tr(inverse)))*inverse;
     }
 
-    //- Angular velocity of the nearest rotation per moment of the velocities
-    tensor rotation() const
-    {
-        const scalar trace = tr(moment_);
-        const tensor inertia
-        (
-            trace*tensor::I - (nDims_ == 2 ? tensor(Zero) : moment_)
-        );
-        return det(inertia) > 1e-6*pow3(trace) ? inv(inertia) : tensor(Zero);
-    }
-
     //- v_i = w_i T r_i
     void setMode(const tensor& T, const label start, vectorField& v) const
     {
@@ -155,19 +141,17 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
 (
     const surfaceSet& surfaces,
     const interfaceGeometry& geometry,
-    const scalar viscosity,
-    const bool linear
+    const scalar viscosity
 )
 {
     const direction nDims = surfaces.nDims();
     const pointField& x = surfaces.points();
     const scalarField weights(facesOfNodes(geometry, x.size()));
-    const List<tensor> fields(gradients(nDims, linear));
-    const List<vector> axes(rotationAxes(nDims));
+    const List<tensor> fields(gradients(nDims));
     std::vector<transposedMode> modes;
     forAll(fields, k)
     {
-        const scalar sign = k < axes.size() ? 1 : -1;
+        const scalar sign = k < nRotations(nDims) ? 1 : -1;
         modes.push_back({sign, vectorField(x.size(), Zero)});
     }
 
@@ -187,19 +171,14 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
         const scalar strength = Foam::sqrt(viscosity*volume);
         const tensor factor
         (
-            linear
-          ? nodes.linearField(0.5*nDims/(nDims - 1)*conductance/volume)
-          : nodes.rotation()
+            nodes.linearField(0.5*nDims/(nDims - 1)*conductance/volume)
         );
         forAll(fields, k)
         {
-            const tensor T
+            nodes.setMode
             (
-                linear
-              ? fields[k] & factor
-              : Foam::sqrt(2.0)*crossProduct(factor & axes[k])
+                strength*(fields[k] & factor), start, modes[k].vectors
             );
-            nodes.setMode(strength*T, start, modes[k].vectors);
         }
     }
     return modes;
@@ -221,8 +200,7 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
     (
         system.objects.surfaces(),
         system.geometry,
-        system.fluidDensity*system.viscosity*system.grid.thickness(),
-        system.transposedStrain
+        system.fluidDensity*system.viscosity*system.grid.thickness()
     );
 }
 

@@ -53,17 +53,10 @@ Foam::fsi::fsiSystem::fsiSystem
     levelSet(levelSetUpdate::New(grid, dict)),
     geometry(grid, *wall),
     walls(geometry),
-    fluid(geometry, dict),
+    fluid(geometry),
     driving(drivingForce::New(mesh, dict)),
     fluidDensity(readPositive(dict, "fluidDensity")),
     viscosity(viscosity),
-    transposedStrain
-    (
-        readChoice
-        (
-            dict, "transposedStress", "linear", {"rotation", "linear"}
-        ) == "linear"
-    ),
     shortWaveStress(readNonNegative(dict, "shortWaveStress", 1)),
     gravity(stockInput::gravity(mesh, dict)),
     images_(sides.images()),

@@ -258,7 +258,8 @@ bool Foam::fsi::userVariables::isAside
 void Foam::fsi::userVariables::checkFileKeys
 (
     const dictionary& dict,
-    const wordList& known
+    const wordList& known,
+    const wordList& former
 )
 {
     wordList all(known);
@@ -271,7 +272,7 @@ void Foam::fsi::userVariables::checkFileKeys
         if
         (
             e.keyword().isPattern() || isIn(known, name)
-         || !meant(name, known).empty()
+         || isIn(former, name) || !meant(name, known).empty()
         )
         {
             continue;

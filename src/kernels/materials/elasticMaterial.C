@@ -36,16 +36,6 @@ static word readStrain(const dictionary& material, const direction nDims)
 }
 
 
-//- Do all nodes have the same mass?
-static bool readUniformMass(const dictionary& material, const direction nDims)
-{
-    const word part(nDims == 3 ? "volume" : "area");
-    return
-        readChoice(material, "nodeMass", part, {"uniform", part})
-     == "uniform";
-}
-
-
 //- Viscosity of elements
 static scalar readViscosity(const dictionary& material, const scalar kappa)
 {
@@ -119,7 +109,6 @@ Foam::fsi::elasticMaterial::elasticMaterial
         readChoice(material, "calibration", "patch", {"patch", "vanGelder"})
      == "patch"
     ),
-    uniformMass_(readUniformMass(material, nDims)),
     youngsModulus(membrane ? 0 : readPositive(material, "E")),
     areaStiffness
     (
@@ -145,8 +134,7 @@ void Foam::fsi::elasticMaterial::checkEntries(const dictionary& material) const
 {
     wordList keys
     ({
-        "type", "density", "E", "areaStiffness", "strain", "viscosity",
-        "nodeMass"
+        "type", "density", "E", "areaStiffness", "strain", "viscosity"
     });
     if (!neoHookean_)
     {
@@ -214,14 +202,8 @@ Foam::scalarField Foam::fsi::elasticMaterial::nodeMasses
     const scalar density
 ) const
 {
-    const label nNodes = mesh.points.size();
     const scalarField& volumes = elementTerm.volumes();
-    if (uniformMass_)
-    {
-        const scalar mass = density*(sum(volumes)/thickness)*thickness;
-        return scalarField(nNodes, mass/nNodes);
-    }
-    scalarField masses(nNodes, Zero);
+    scalarField masses(mesh.points.size(), Zero);
     const label nCorners = nDims_ + 1;
     forAll(mesh.elements, elementi)
     {

@@ -32,7 +32,7 @@ def field(case, time, name):
 
 
 FEED = ("boundaries {{ feed {{ left {{ shape disc; velocity (1 0 0); seed 5; "
-        "{} }} }} }}\nfaceHistory none;\n")
+        "{} }} }} }}\n")
 
 # Where no patch gives the pressure: all velocities are given, or the outflow
 # is what goes in

@@ -131,7 +131,7 @@ TEST(FilmPressure, wallsHoldTheFluid)
             pair.mesh(),
             dimensionedVector(dimless, Zero)
         );
-        const immersedFluid fluid(pair.geometry(), dictionary());
+        const immersedFluid fluid(pair.geometry());
         const volVectorField gradient(fluid.gradient(pair.p));
         fluid.correctVelocity(U, 3*gradient, pair.p, rAU, viscosity);
 

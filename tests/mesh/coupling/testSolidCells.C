@@ -139,7 +139,7 @@ TEST(solidCells, leaveTheMomentumEquationAsBySetValues)
         }
         plain.setValues(solid, vectorField(U.primitiveField(), solid));
 
-        immersedFluid(discs.geometry(), dictionary()).constrain(equation);
+        immersedFluid(discs.geometry()).constrain(equation);
         expectEqual(equation, plain);
         EXPECT_GT(returnReduce(solid.size(), sumOp<label>()), 100);
     }
@@ -152,7 +152,7 @@ TEST(solidCells, haveTheMeanGradientOfTheirFluidNeighbours)
     discs.move(places());
     const interfaceGeometry& geometry = discs.geometry();
     const volScalarField p(someField<volScalarField>(discs.mesh()));
-    const immersedFluid fluid(geometry, dictionary());
+    const immersedFluid fluid(geometry);
     const volVectorField open(fluid.openGradient(p));
     const volVectorField extended(fluid.gradient(p));
     forAll(p, celli)

@@ -224,7 +224,7 @@ TEST(immersedFluid, gradientOfALinearPressure)
         );
         p.primitiveFieldRef() = slope & mesh.C().primitiveField();
         p.correctBoundaryConditions();
-        const immersedFluid fluid(bodies.geometry(), dictionary());
+        const immersedFluid fluid(bodies.geometry());
         const volVectorField gradient(fluid.gradient(p));
 
         // Fluid cells, and solid ones beside them, have it; others have none

@@ -120,6 +120,13 @@ TEST(userVariables, ofAFileMayBeUnusedButNotLikeAnEntry)
     (
         userVariables::checkFileKeys(file.read(), known), Foam::IOerror
     );
+    const dictionaryFile old("wall slip; convection upwind;");
+    userVariables::checkFileKeys(old.read(), known);
+    EXPECT_THROW
+    (
+        userVariables::checkFileKeys(old.read(), known, {"convection"}),
+        Foam::IOerror
+    );
 }
 
 

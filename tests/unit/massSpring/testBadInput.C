@@ -117,11 +117,6 @@ TEST(badMaterial, isRefusedWithFileAndKey)
         errorOf(circle, rubber + "calibration guess;", ""),
         {"calibration", "patch", "vanGelder"}
     );
-    expectError
-    (
-        errorOf(circle, rubber + "nodeMass some;", ""),
-        {"nodeMass", "uniform", "area"}
-    );
 }
 
 
