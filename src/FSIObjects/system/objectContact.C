@@ -94,6 +94,10 @@ void Foam::fsi::objectContact::setNodes()
 {
     const population& objects = system_.objects;
     bodies_.reset(surfaces());
+    for (label objecti = 0; objecti < objects.size(); ++objecti)
+    {
+        bodies_.setId(objecti, objects.objectId(objecti));
+    }
 
     groups_.resize(objects.groups().size());
     forAll(objects.groups(), groupi)

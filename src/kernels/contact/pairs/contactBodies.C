@@ -13,6 +13,10 @@ void Foam::fsi::contactBodies::reset(const surfaceSet& surfaces)
 
     bodies_.setSize(surfaces.size());
     bodies_ = body();
+    forAll(bodies_, objecti)
+    {
+        bodies_[objecti].id = objecti;
+    }
     modes_.setSize(maxModes*nNodes);
     areas_.setSize(nNodes);
     areas_ = 0;

@@ -61,12 +61,13 @@ Foam::scalar Foam::fsi::contactSolver::sweep
     const bool backward
 )
 {
-    const label n = all ? impulses_.size() : active_.size();
+    const labelUList& pairs = all ? order_.pairs() : active_;
+    const label n = pairs.size();
     scalar change = 0;
     for (label i = 0; i < n; ++i)
     {
         const label j = backward ? n - 1 - i : i;
-        change = max(change, relax(problem, rule, all ? j : active_[j]));
+        change = max(change, relax(problem, rule, pairs[j]));
     }
     return change;
 }
@@ -83,6 +84,7 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
         problem.bodies,
         problem.found.pairs
     );
+    order_.set(problem.surfaces, problem.bodies, problem.found.pairs);
     compliances_.setSize(nPairs);
     endGaps_.setSize(nPairs);
     endGaps_ = GREAT;
@@ -125,7 +127,7 @@ Foam::label Foam::fsi::contactSolver::solve
         if (all)
         {
             active_.clear();
-            forAll(impulses_, i)
+            for (const label i : order_.pairs())
             {
                 if (impulses_[i] != 0 || endGaps_[i] < 1.2*problem.range)
                 {
@@ -145,7 +147,7 @@ void Foam::fsi::contactSolver::addForces
     vectorField& force
 ) const
 {
-    forAll(impulses_, pairi)
+    for (const label pairi : order_.pairs())
     {
         const contactPair& pair = problem.found.pairs[pairi];
         const vector f(impulses_[pairi]/problem.dt*pair.normal);
