@@ -79,6 +79,9 @@ def triangles_of(name, data):
         return [(t[:3], t[3:6], t[6:]) for t in flat]
     text = data.decode("latin1")
     if name == "text.stl":
+        # Titles of solids and normals may be any words, "vertex" as well
+        text = re.sub(r"(?im)^(.*?)\b(end)?solid\b.*$|\bfacet([ \t]+\S+){0,4}",
+                      r"\1", text)
         flat = [tuple(map(float, m)) for m in re.findall(
             r"(?i)\bvertex\s+(\S+)\s+(\S+)\s+(\S+)", text)]
         return list(zip(flat[::3], flat[1::3], flat[2::3]))

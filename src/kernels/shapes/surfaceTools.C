@@ -3,6 +3,7 @@
 #include "surfaceTools.H"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -60,6 +61,34 @@ Foam::scalar Foam::fsi::surfaceTools::area
             mag((points[f[1]] - points[f[0]])^(points[f[2]] - points[f[0]]));
     }
     return 0.5*twice;
+}
+
+
+Foam::pointField Foam::fsi::surfaceTools::inUnits
+(
+    const pointField& points,
+    const UList<surfaceFace>& faces,
+    const scalar size
+)
+{
+    pointField result(points/size);
+    scalar height = 1e-2;
+    for (const surfaceFace& f : faces)
+    {
+        const vector b = result[f[1]] - result[f[0]];
+        const vector c = result[f[2]] - result[f[0]];
+        const scalar longest = max(mag(b), max(mag(c), mag(c - b)));
+        height = min(height, mag(b^c)/max(longest, VSMALL));
+    }
+    const scalar grid = std::exp2(std::floor(std::log2(1e-4*height + 1e-14)));
+    for (point& p : result)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            p[d] = grid*std::round(p[d]/grid);
+        }
+    }
+    return result;
 }
 
 

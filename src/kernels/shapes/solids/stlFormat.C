@@ -178,16 +178,23 @@ void stlText::readLine()
         }
         if (word == "facet")
         {
-            // The normal, which nobody needs and some get wrong
             expected_ = expected_.empty() ? word : expected_;
+            take(word, "normal");
+        }
+        else if (word == "normal")
+        {
+            // Its numbers nobody needs, and some get them wrong
             take(word, "outer");
-            i += 4;
+            i += 3;
         }
         else if (word == "outer")
         {
+            take(word, "loop");
+        }
+        else if (word == "loop")
+        {
             take(word, "vertex");
             nCorners_ = 0;
-            ++i;
         }
         else if (word == "vertex")
         {

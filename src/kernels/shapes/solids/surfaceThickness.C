@@ -3,10 +3,8 @@
 #include "surfaceThickness.H"
 #include "boundBox.H"
 #include "surfaceTools.H"
-#include "surfaceTree.H"
+#include "triangleTree.H"
 #include "unitConversion.H"
-
-#include <CGAL/Simple_cartesian.h>
 
 #include <map>
 #include <utility>
@@ -27,18 +25,7 @@ static const scalar cornerAngle = degToRad(15.0);
 //- Number of places below which the thickness is measured, at least
 static const label nSamples = 10000;
 
-typedef CGAL::Simple_cartesian<double> kernel;
-typedef std::vector<kernel::Triangle_3> triangleList;
-typedef CGAL::AABB_triangle_primitive_3
-<
-    kernel, triangleList::const_iterator
-> primitive;
-typedef CGAL::AABB_tree<CGAL::AABB_traits_3<kernel, primitive>> searchTree;
-
-static kernel::Point_3 toCgal(const point& p)
-{
-    return kernel::Point_3(p.x(), p.y(), p.z());
-}
+using namespace triangleTree;
 
 
 //- Twice the area, along the outward normal [m2]
@@ -64,17 +51,9 @@ public:
 
     explicit thicknessSearch(const shapeMesh& surface)
     :
-        surface_(surface)
+        surface_(surface),
+        triangles_(trianglesOf(surface))
     {
-        for (const surfaceFace& f : surface.faces)
-        {
-            triangles_.emplace_back
-            (
-                toCgal(surface.points[f[0]]),
-                toCgal(surface.points[f[1]]),
-                toCgal(surface.points[f[2]])
-            );
-        }
         tree_.rebuild(triangles_.begin(), triangles_.end());
     }
 

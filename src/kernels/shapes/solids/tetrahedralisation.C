@@ -4,11 +4,11 @@
 #include "boundBox.H"
 #include "DynamicList.H"
 #include "noTraps.H"
-#include "surfaceTree.H"
+#include "surfaceDepth.H"
+#include "surfaceTools.H"
 #include "unitConversion.H"
 
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"  // in Boost
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
@@ -47,8 +47,6 @@ typedef CGAL::Mesh_complex_3_in_triangulation_3
 typedef CGAL::Mesh_criteria_3<triangulation> meshCriteria;
 typedef triangulation::Vertex_handle vertex;
 
-typedef CGAL::AABB_face_graph_triangle_primitive<polyhedron> primitive;
-typedef CGAL::AABB_tree<CGAL::AABB_traits_3<kernel, primitive>> searchTree;
 
 //- Circumradii, distance of the surface and angle that give edges of unit
 //  mean length
@@ -67,7 +65,7 @@ namespace
 //- Circumradius of tetrahedra at a place, in units of the node spacing
 class sizeField
 {
-    const searchTree& surface_;
+    const surfaceDepth& depth_;
     const meshGrading& grading_;
 
     //- No tetrahedra are wanted, or all of the same size
@@ -80,13 +78,13 @@ public:
 
     sizeField
     (
-        const searchTree& surface,
+        const surfaceDepth& depth,
         const meshGrading& grading,
         const bool filled,
         const bool even
     )
     :
-        surface_(surface),
+        depth_(depth),
         grading_(grading),
         filled_(filled),
         even_(even)
@@ -99,20 +97,20 @@ public:
         {
             return filled_ ? cellSize : 1e6;
         }
-        return cellSize*grading_.size(std::sqrt(surface_.squared_distance(p)));
+        const point place(p.x(), p.y(), p.z());
+        return cellSize*grading_.size(depth_(place));
     }
 };
 
 } // End anonymous namespace
 
 
-//- The surface in units of the size
-static polyhedron polyhedronOf(const shapeMesh& surface, const scalar size)
+static polyhedron polyhedronOf(const shapeMesh& surface)
 {
     std::vector<kernel::Point_3> points;
     for (const point& p : surface.points)
     {
-        points.emplace_back(p.x()/size, p.y()/size, p.z()/size);
+        points.emplace_back(p.x(), p.y(), p.z());
     }
     std::vector<std::array<std::size_t, 3>> faces(surface.faces.size());
     forAll(surface.faces, i)
@@ -238,7 +236,7 @@ static void optimise(meshComplex& complex, const meshDomain& domain)
 
 Foam::fsi::shapeMesh Foam::fsi::tetrahedralisation::mesh
 (
-    const shapeMesh& surface,
+    shapeMesh surface,
     const scalar cornerAngle,
     const scalar size,
     const meshGrading& grading,
@@ -251,18 +249,18 @@ Foam::fsi::shapeMesh Foam::fsi::tetrahedralisation::mesh
     CGAL::get_default_random() = CGAL::Random(0);
     CGAL::Random random(0);
 
-    polyhedron body(polyhedronOf(surface, size));
+    surface.points = surfaceTools::inUnits(surface.points, surface.faces, size);
+    polyhedron body(polyhedronOf(surface));
     meshDomain domain(body, &random);
     domain.detect_features(radToDeg(cornerAngle));
-    const searchTree tree(faces(body).begin(), faces(body).end(), body);
-
+    const surfaceDepth depth(surface);
     const vector span = boundBox(surface.points, false).span();
     const sizeField cells
     (
-        tree,
+        depth,
         grading,
         filled,
-        0.5*cmptMin(span) < grading.evenDepth()*size
+        0.5*cmptMin(span) < grading.evenDepth()
     );
     const meshCriteria criteria
     (

@@ -3,6 +3,7 @@
 #include "torus.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "DynamicList.H"
 #include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -41,7 +42,8 @@ Foam::fsi::shapeMesh Foam::fsi::torus::surface() const
 {
     // Points along the circle, each with as many around the tube
     const label n = 200, m = 60;
-    shapeMesh result;
+    DynamicList<point> points(n*m);
+    DynamicList<surfaceFace> faces(2*n*m);
     for (label i = 0; i < n; ++i)
     {
         const scalar phi = constant::mathematical::twoPi*i/n;
@@ -49,7 +51,7 @@ Foam::fsi::shapeMesh Foam::fsi::torus::surface() const
         {
             const scalar theta = constant::mathematical::twoPi*j/m;
             const scalar r = radius_ + tubeRadius_*std::cos(theta);
-            result.points.append
+            points.append
             (
                 point
                 (
@@ -60,11 +62,14 @@ Foam::fsi::shapeMesh Foam::fsi::torus::surface() const
             );
             const label a = m*i + j, b = m*i + (j + 1) % m;
             const label c = (a + m) % (n*m), d = (b + m) % (n*m);
-            result.faces.append(surfaceFace({a, b, c}));
-            result.faces.append(surfaceFace({c, b, d}));
+            faces.append(surfaceFace({a, b, c}));
+            faces.append(surfaceFace({c, b, d}));
         }
     }
-    result.nBoundary = result.points.size();
+    shapeMesh result;
+    result.points = points;
+    result.faces = faces;
+    result.nBoundary = points.size();
     return result;
 }
 
