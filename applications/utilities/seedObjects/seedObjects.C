@@ -144,10 +144,12 @@ int main(int argc, char *argv[])
 
     Info<< "Seeded" << nl;
     seeding.report(Info);
+    runTime.cpuTimeIncrement();
     write(runTime, seeding.objects());
     seeding.writeRecord(runTime);
-
-    Info<< "End" << nl << endl;
+    Info<< "Wrote all in " << runTime.cpuTimeIncrement() << " s, "
+        << runTime.elapsedCpuTime() << " s since the start" << nl
+        << "End" << nl << endl;
     return 0;
 }
 

@@ -19,7 +19,8 @@ void Foam::fsi::bodyGroups::readGroup
 (
     const word& name,
     const direction nDims,
-    const label nextId
+    const label nextId,
+    labelHashSet& taken
 )
 {
     const dictionary shape
@@ -48,7 +49,7 @@ void Foam::fsi::bodyGroups::readGroup
     motions_.append(state.subDict("motion"));
     groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
     groups_.last().read(state);
-    stateChecks::checkIds(state, groups_, nextId);
+    stateChecks::checkIds(state, groups_.last(), nextId, taken);
 }
 
 
@@ -105,9 +106,10 @@ void Foam::fsi::bodyGroups::read(const direction nDims, const label nextId)
     const IOobjectList files(time_, caseConstant(time_), folder);
     const wordList names(files.sortedNames());
     stateChecks::compareFiles(names, caseConstant(time_)/folder);
+    labelHashSet taken;
     for (const word& name : names)
     {
-        readGroup(name, nDims, nextId);
+        readGroup(name, nDims, nextId, taken);
     }
 
     const IOobjectList states(time_, nameOf(time_), "uniform"/folder);

@@ -4,6 +4,8 @@
 #include "openfoamVersion.H"
 #include "SubField.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::population::renumber()
@@ -16,6 +18,7 @@ void Foam::fsi::population::renumber()
     }
 
     objectGroup_.resize(groupStart_.last());
+    indexOfId_.clear();
     surfaces_.clear();
     layout_.clear();
     forAll(groups(), groupi)
@@ -30,13 +33,16 @@ void Foam::fsi::population::renumber()
         {
             boundary.replace(vector::Z, planeZ_);
         }
-        for (label copyi = 0; copyi < groups()[groupi].size(); ++copyi)
+        const labelList& ids = groups()[groupi].objectIds();
+        label objecti = surfaces_.append(boundary, s.faces(), ids.size());
+        for (const label id : ids)
         {
-            const label objecti = surfaces_.append(boundary, s.faces());
+            indexOfId_.insert(id, objecti);
             if (groups_.stays(groupi))
             {
                 surfaces_.setFixed(objecti);
             }
+            ++objecti;
         }
         SubList<label>
         (
@@ -112,20 +118,6 @@ void Foam::fsi::population::updateSurfaces()
 Foam::label Foam::fsi::population::objectId(const label objecti) const
 {
     return groups()[objectGroup_[objecti]].objectIds()[objectCopy(objecti)];
-}
-
-
-Foam::label Foam::fsi::population::findObject(const label objectId) const
-{
-    forAll(groups(), groupi)
-    {
-        const label copyi = indexOf(groups()[groupi].objectIds(), objectId);
-        if (copyi >= 0)
-        {
-            return objectIndex(groupi, copyi);
-        }
-    }
-    return -1;
 }
 
 
@@ -210,6 +202,13 @@ Foam::labelList Foam::fsi::population::append
     const vectorField& angularVelocities
 )
 {
+    labelList next(groups_.size());
+    forAll(next, groupi)
+    {
+        const auto added = std::count(groups.begin(), groups.end(), groupi);
+        next[groupi] = this->groups()[groupi].size();
+        this->groups()[groupi].resize(next[groupi] + added);
+    }
     labelList ids(groups.size());
     forAll(groups, i)
     {
@@ -220,17 +219,12 @@ Foam::labelList Foam::fsi::population::append
             rotations[i],
             velocities[i],
             angularVelocities[i],
-            ids[i]
+            ids[i],
+            next[groups[i]]++
         );
     }
     renumber();
     return ids;
-}
-
-
-void Foam::fsi::population::remove(const label objecti)
-{
-    remove(labelList(1, objecti));
 }
 
 

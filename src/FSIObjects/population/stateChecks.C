@@ -76,25 +76,21 @@ void Foam::fsi::stateChecks::checkShape
 void Foam::fsi::stateChecks::checkIds
 (
     const dictionary& state,
-    const PtrList<bodyGroup>& groups,
-    const label nextObjectId
+    const bodyGroup& group,
+    const label nextObjectId,
+    labelHashSet& taken
 )
 {
-    const bodyGroup& last = groups.last();
-    for (const label id : last.objectIds())
+    for (const label id : group.objectIds())
     {
-        label others = -1;
-        for (const bodyGroup& group : groups)
-        {
-            others += isIn(group.objectIds(), id);
-        }
-        if (others > 0 || id >= nextObjectId)
+        const bool twice = !taken.insert(id);
+        if (twice || id >= nextObjectId)
         {
             FatalIOErrorInFunction(state)
                 << "Entry 'objectIds' in dictionary " << state.name()
                 << " has the id " << id
                 << (
-                       others > 0
+                       twice
                      ? ", which another shape has as well"
                      : ", but must be below 'nextObjectId' of"
                        " uniform/fsiPopulation"

@@ -2,6 +2,7 @@
 
 #include "seeding.H"
 #include "bodyMotion.H"
+#include "cpuTime.H"
 #include "dictionaryCheck.H"
 #include "nameCheck.H"
 #include "newShapeMesh.H"
@@ -190,7 +191,11 @@ void Foam::fsi::seeding::place(const dictionary& dict)
                 << dict.name() << " must be the dictionary of a placement"
                 << exit(FatalIOError);
         }
+        const label before = space_->size();
+        cpuTime clock;
         placement::New(e.keyword(), e.dict(), *space_)->place(*space_);
+        Info<< "Placed " << e.keyword() << ": " << space_->size() - before
+            << " objects in " << clock.cpuTimeIncrement() << " s" << endl;
     }
 }
 
@@ -228,10 +233,15 @@ Foam::fsi::seeding::seeding
     objects_(time, domain.nDims, centreOf(domain.bounds).z())
 {
     userVariables::checkFileKeys(dict, {"FoamFile", "shapes", "placements"});
+    cpuTime clock;
     addShapes(dict.subDict("shapes"));
+    Info<< "Made the shapes in " << clock.cpuTimeIncrement() << " s" << endl;
     place(dict.subDict("placements"));
+    clock.cpuTimeIncrement();
     checkVelocities(dict.subDict("placements"));
     checkContacts();
+    Info<< "Checked their distances in " << clock.cpuTimeIncrement() << " s"
+        << endl;
     populate();
 }
 

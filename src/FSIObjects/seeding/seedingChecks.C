@@ -17,7 +17,7 @@ void Foam::fsi::seeding::checkContacts() const
         }
         const label found = space_->findConflict
         (
-            space_->surface(i), domain_.contactRange, i
+            (*space_)[i], domain_.contactRange, i
         );
         if (found >= 0 && nTouching++ == 0)
         {

@@ -9,18 +9,6 @@
 #include "prescribedBodies.H"
 #include "rigidBodies.H"
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::bodyGroup::resize(const label nCopies)
-{
-    resizeNodes(shape_.nNodes(), shape_.nDims()*nCopies);
-    objectIds_.resize(nCopies, -1);
-    const label nColumns = shape_.nDims()*nCopies;
-    owedImpulse_.conservativeResize(shape_.nBoundaryNodes(), nColumns);
-    resizeState(nCopies);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::bodyGroup::bodyGroup(const shapeTemplate& shape)
@@ -70,18 +58,29 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::fsi::bodyGroup::resize(const label nCopies)
+{
+    resizeNodes(shape_.nNodes(), shape_.nDims()*nCopies);
+    objectIds_.resize(nCopies, -1);
+    const label nColumns = shape_.nDims()*nCopies;
+    owedImpulse_.conservativeResize(shape_.nBoundaryNodes(), nColumns);
+    resizeState(nCopies);
+}
+
+
 Foam::label Foam::fsi::bodyGroup::append
 (
     const point& centre,
     const tensor& rotation,
     const vector& velocity,
     const vector& angularVelocity,
-    const label objectId
+    const label objectId,
+    const label made
 )
 {
-    const label copyi = size();
+    const label copyi = made < 0 ? size() : made;
+    resize(max(size(), copyi + 1));
     const label nDims = shape_.nDims();
-    resize(copyi + 1);
     objectIds_[copyi] = objectId;
     ofCopy(owedImpulse_, copyi).setZero();
     startState(copyi);

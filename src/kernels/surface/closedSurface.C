@@ -8,40 +8,6 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::closedSurface::measure()
-{
-    surfaceSet alone(nDims_);
-    alone.append(points_, *faces_);
-    volume_ = alone.volume(0);
-    centroid_ = alone.centroid(0);
-
-    for (const point& p : points_)
-    {
-        outerRadius_ = max(outerRadius_, mag(p - centroid_));
-    }
-    if (contains(centroid_))
-    {
-        innerRadius_ = outerRadius_;
-        FixedList<scalar, 3> weights;
-        forAll(*faces_, facei)
-        {
-            const point nearest =
-                alone.nearestOnFace(facei, centroid_, weights);
-            innerRadius_ = min(innerRadius_, mag(nearest - centroid_));
-        }
-    }
-}
-
-
-Foam::scalar Foam::fsi::closedSurface::centreDistance
-(
-    const closedSurface& other
-) const
-{
-    return mag(cmptMultiply(solved(), other.centroid_ - centroid_));
-}
-
-
 Foam::boundBox Foam::fsi::closedSurface::faceBox(const label facei) const
 {
     const surfaceFace& f = (*faces_)[facei];
@@ -247,22 +213,11 @@ bool Foam::fsi::closedSurface::closerThan
         return false;
     }
 
-    // More than round-off, so that what follows decides when it is close
-    const scalar slack = 1e-9;
-    const scalar apart = centreDistance(other);
-    if (apart > (1 + slack)*(outerRadius_ + other.outerRadius_ + gap))
+    const answer known = fromBalls(*this, other, centreDistance(other), gap);
+    if (known != UNKNOWN)
     {
-        return false;
+        return known == YES;
     }
-    if
-    (
-        min(innerRadius_, other.innerRadius_) > 0
-     && apart < (1 - slack)*(innerRadius_ + other.innerRadius_ + gap)
-    )
-    {
-        return true;
-    }
-
     const scalar least = leastDistanceSqr(other, max(gap, 1e-30), true);
     return least < sqr(gap) || least == 0 || nested(other);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surfaceSet.H"
-#include "EdgeMap.H"
-#include "labelPair.H"
+#include "facesAcross.H"
 #include "triangleProjection.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -17,35 +16,49 @@ Foam::fsi::surfaceSet::surfaceSet(const direction nDims)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::surfaceSet::copyImage
+void Foam::fsi::surfaceSet::resize()
+{
+    points_.resize(pointStart_.last());
+    velocities_.resize(pointStart_.last());
+    pointObject_.resize(pointStart_.last());
+    faces_.resize(faceStart_.last());
+    faceObject_.resize(faceStart_.last());
+    if (nDims_ == 3)
+    {
+        facesAcross_.resize(faceStart_.last());
+    }
+}
+
+
+void Foam::fsi::surfaceSet::copy
 (
-    const label imagei,
+    const label from,
+    const label to,
     const vector& shift
 )
 {
-    const label objecti = original(imagei);
-    const label offset = pointStart_[imagei] - pointStart_[objecti];
-    for (label i = pointStart_[imagei]; i < pointStart_[imagei + 1]; ++i)
+    const label offset = pointStart_[to] - pointStart_[from];
+    for (label i = pointStart_[to]; i < pointStart_[to + 1]; ++i)
     {
         points_[i] = points_[i - offset] + shift;
         velocities_[i] = velocities_[i - offset];
-        pointObject_[i] = imagei;
+        pointObject_[i] = to;
     }
 
-    const label faceOffset = faceStart_[imagei] - faceStart_[objecti];
-    for (label i = faceStart_[imagei]; i < faceStart_[imagei + 1]; ++i)
+    const label faceOffset = faceStart_[to] - faceStart_[from];
+    for (label i = faceStart_[to]; i < faceStart_[to + 1]; ++i)
     {
         faces_[i] = faces_[i - faceOffset];
         for (label& nodei : faces_[i])
         {
             nodei = nodei < 0 ? -1 : nodei + offset;
         }
-        faceObject_[i] = imagei;
+        faceObject_[i] = to;
     }
     for
     (
-        label i = faceStart_[imagei];
-        i < faceStart_[imagei + 1] && nDims_ == 3;
+        label i = faceStart_[to];
+        i < faceStart_[to + 1] && nDims_ == 3;
         ++i
     )
     {
@@ -58,39 +71,13 @@ void Foam::fsi::surfaceSet::copyImage
 }
 
 
-void Foam::fsi::surfaceSet::joinFaces()
-{
-    const label start = faceStart_[size() - 1];
-    facesAcross_.resize(faces_.size(), FixedList<label, 3>(label(-1)));
-
-    // Face and its node opposite of the edges that were met once
-    EdgeMap<labelPair> open;
-    for (label facei = start; facei < faces_.size(); ++facei)
-    {
-        const surfaceFace& f = faces_[facei];
-        for (label i = 0; i < 3; ++i)
-        {
-            const edge side(f[(i + 1) % 3], f[(i + 2) % 3]);
-            const auto other = open.find(side);
-            if (other == open.end())
-            {
-                open.insert(side, labelPair(facei, i));
-                continue;
-            }
-            facesAcross_[facei][i] = (*other).first();
-            facesAcross_[(*other).first()][(*other).second()] = facei;
-            open.erase(other);
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::label Foam::fsi::surfaceSet::append
 (
     const pointField& points,
-    const List<surfaceFace>& faces
+    const List<surfaceFace>& faces,
+    const label number
 )
 {
     if (original_.size())
@@ -100,33 +87,47 @@ Foam::label Foam::fsi::surfaceSet::append
             << exit(FatalError);
     }
 
-    const label objecti = size();
-    const label offset = points_.size();
+    const label first = size();
+    pointStart_.resize(first + number + 1);
+    faceStart_.resize(first + number + 1);
+    for (label i = first; i < first + number; ++i)
+    {
+        pointStart_[i + 1] = pointStart_[i] + points.size();
+        faceStart_[i + 1] = faceStart_[i] + faces.size();
+    }
+    resize();
+    fixed_.resize(first + number, false);
+    if (number == 0)
+    {
+        return first;
+    }
 
-    points_.append(points);
-    velocities_.append(vectorField(points.size(), Zero));
-    pointObject_.append(labelList(points.size(), objecti));
-    pointStart_.append(points_.size());
-
-    label facei = faces_.size();
-    faces_.setSize(facei + faces.size());
+    const label offset = pointStart_[first];
+    forAll(points, i)
+    {
+        points_[offset + i] = points[i];
+        velocities_[offset + i] = Zero;
+        pointObject_[offset + i] = first;
+    }
+    label facei = faceStart_[first];
     for (surfaceFace f : faces)
     {
         for (label& nodei : f)
         {
             nodei = nodei < 0 ? -1 : nodei + offset;
         }
+        faceObject_[facei] = first;
         faces_[facei++] = f;
     }
-    faceObject_.append(labelList(faces.size(), objecti));
-    faceStart_.append(faces_.size());
-    fixed_.append(false);
     if (nDims_ == 3)
     {
-        joinFaces();
+        setFacesAcross(faces_, faceStart_[first], faces.size(), facesAcross_);
     }
-
-    return objecti;
+    for (label i = first + 1; i < first + number; ++i)
+    {
+        copy(first, i, Zero);
+    }
+    return first;
 }
 
 
@@ -151,18 +152,10 @@ void Foam::fsi::surfaceSet::appendImages
     }
     original_.append(originals);
 
-    points_.resize(pointStart_.last());
-    velocities_.resize(pointStart_.last());
-    pointObject_.resize(pointStart_.last());
-    faces_.resize(faceStart_.last());
-    faceObject_.resize(faceStart_.last());
-    if (nDims_ == 3)
-    {
-        facesAcross_.resize(faceStart_.last());
-    }
+    resize();
     forAll(originals, i)
     {
-        copyImage(first + i, shifts[i]);
+        copy(original(first + i), first + i, shifts[i]);
     }
 }
 

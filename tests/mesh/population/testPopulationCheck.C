@@ -65,7 +65,7 @@ TEST(populationCheck, soundObjectsHaveNoFaults)
 TEST(populationCheck, overlapAndOutsideAreNamedById)
 {
     checkedBox world;
-    world.objects->remove(0);
+    world.objects->remove(labelList({0}));
     world.move(0, 0, vector(1.2, 0, 0));
     world.move(1, 0, vector(0, 1.5, 0));
     const auto found = world.check();

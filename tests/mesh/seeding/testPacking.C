@@ -157,20 +157,21 @@ TEST(Packing, findsWhatACompleteSearchFinds)
     for (label i = 0; i < 20; ++i)
     {
         const placedObject to = next(space[i].shape);
-        space.move(i, to.centre, to.rotation, space.placed(to));
+        space.move(i, to);
     }
 
     label nFound = 0;
     for (label i = 0; i < 200; ++i)
     {
-        const closedSurface candidate = space.placed(next(0));
+        const placedObject object(next(0));
+        const closedSurface candidate = space.placed(object);
         const scalar gap = 0.2*random.sample01<scalar>();
         label nClose = 0;
         for (label j = 0; j < space.size(); ++j)
         {
             nClose += space.surface(j).distance(candidate) <= gap;
         }
-        const label found = space.findConflict(candidate, gap);
+        const label found = space.findConflict(object, gap);
         EXPECT_EQ(found >= 0, nClose > 0) << i;
         if (found >= 0)
         {
@@ -178,7 +179,7 @@ TEST(Packing, findsWhatACompleteSearchFinds)
             ++nFound;
             if (nClose == 1)
             {
-                EXPECT_EQ(space.findConflict(candidate, gap, found), -1);
+                EXPECT_EQ(space.findConflict(object, gap, found), -1);
             }
         }
     }

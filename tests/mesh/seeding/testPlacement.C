@@ -186,6 +186,36 @@ TEST(Placement, packedDiscsReachHalfTheArea)
 }
 
 
+TEST(Placement, packedFindsMoreThanRandomBesideOthers)
+{
+    packing others(emptyBox());
+    place
+    (
+        others,
+        "type random; shape cell; number 25; minimumGap 0.02; seed 3;"
+    );
+    const auto mostOf = [&](const std::string& type)
+    {
+        const std::string text = seedBox::errorIn
+        (
+            others, "type " + type + "; shape disc; number 140;"
+            "minimumGap 0.02;"
+        );
+        const std::string before = "no room for more than ";
+        const std::size_t found = text.find(before);
+        return
+            found == std::string::npos
+          ? -1
+          : std::stoi(text.substr(found + before.size()));
+    };
+    const label random = mostOf("random"), packed = mostOf("packed");
+    EXPECT_GT(random, 20);
+    EXPECT_GE(packed, 1.1*random);
+    std::cout
+        << "random " << random << ", packed " << packed << std::endl;
+}
+
+
 TEST(Placement, packedSlenderBodiesForgetTheLattice)
 {
     packing space(emptyBox());

@@ -146,14 +146,15 @@ TEST(Packing, findsInSpaceWhatACompleteSearchFinds)
     label nFound = 0;
     for (label i = 0; i < 100; ++i)
     {
-        const closedSurface candidate = space.placed(next(0));
+        const placedObject object(next(0));
+        const closedSurface candidate = space.placed(object);
         const scalar gap = 0.2*random.sample01<scalar>();
         label nClose = 0;
         for (label j = 0; j < space.size(); ++j)
         {
             nClose += space.distance(candidate, j) <= gap;
         }
-        const label found = space.findConflict(candidate, gap);
+        const label found = space.findConflict(object, gap);
         EXPECT_EQ(found >= 0, nClose > 0) << i;
         nFound += found >= 0;
     }

@@ -46,6 +46,46 @@ TEST(SurfaceSet, PolygonMeasuresAreExact)
 }
 
 
+TEST(SurfaceSet, ManyAtOnceAreThoseOneByOne)
+{
+    for (const direction nDims : {2, 3})
+    {
+        surfaceSet model(nDims);
+        if (nDims == 2)
+        {
+            appendDisc(model, point(5, 5, 0), 1, 7);
+        }
+        else
+        {
+            appendSphere(model, point(1, 2, 3), 2, 2);
+        }
+        surfaceSet one(model), many(model);
+        for (label i = 0; i < 3; ++i)
+        {
+            EXPECT_EQ(one.append(model.points(), model.faces()), i + 1);
+        }
+        EXPECT_EQ(many.append(model.points(), model.faces(), 3), 1);
+        EXPECT_EQ(many.append(model.points(), model.faces(), 0), 4);
+        EXPECT_EQ(many.size(), 4);
+        EXPECT_EQ(many.points(), one.points());
+        EXPECT_EQ(many.velocities(), one.velocities());
+        EXPECT_EQ(many.faces(), one.faces());
+        EXPECT_EQ(many.faceObject(), one.faceObject());
+        EXPECT_EQ(many.pointObject(), one.pointObject());
+        EXPECT_EQ(many.pointStart(), one.pointStart());
+        EXPECT_EQ(many.faceStart(), one.faceStart());
+        EXPECT_FALSE(many.fixed(3));
+        forAll(many.faces(), facei)
+        {
+            for (label i = 0; i < nDims; ++i)
+            {
+                EXPECT_EQ(many.faceAcross(facei, i), one.faceAcross(facei, i));
+            }
+        }
+    }
+}
+
+
 TEST(SurfaceSet, SphereMeasuresConverge)
 {
     const scalar pi = constant::mathematical::pi;

@@ -30,28 +30,75 @@ static scalar gridSize(const UList<closedSurface>& shapes, const scalar h)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::fsi::packing::findHere
+Foam::fsi::packing::ball Foam::fsi::packing::ballOf
 (
-    const closedSurface& candidate,
+    const placedObject& object
+) const
+{
+    const closedSurface& shape = shapes_[object.shape];
+    const point centre((object.rotation & shape.centroid()) + object.centre);
+    const scalar r = (1 + 1e-9)*shape.outerRadius();
+    const vector reach(r, r, r);
+    return {centre, object.shape, boundBox(centre - reach, centre + reach)};
+}
+
+
+Foam::label Foam::fsi::packing::findConflict
+(
+    const placedObject& object,
+    const vector& shift,
     const scalar gap,
     const label except
 ) const
 {
+    ball candidate(ballOf(object));
+    candidate.centre += shift;
+    candidate.box.min() += shift;
+    candidate.box.max() += shift;
+    if (!closedSurface::near(candidate.box, occupied_, gap, nDims()))
+    {
+        return -1;
+    }
+    closedSurface surface;
+    const auto isCloser = [&](const label objecti)
+    {
+        const ball& other = balls_[objecti];
+        if
+        (
+            objecti == except
+         || !closedSurface::near(candidate.box, other.box, gap, nDims())
+        )
+        {
+            return false;
+        }
+        vector apart(other.centre - candidate.centre);
+        apart.z() = nDims() == 2 ? 0 : apart.z();
+        const auto known = closedSurface::fromBalls
+        (
+            shapes_[object.shape], shapes_[other.shape], mag(apart), gap
+        );
+        if (known == closedSurface::UNKNOWN && surface.points().empty())
+        {
+            surface = placed(object).moved(tensor::I, shift);
+        }
+        return
+            known == closedSurface::UNKNOWN
+          ? surface.closerThan(this->surface(objecti), gap)
+          : known == closedSurface::YES;
+    };
     const vector margin(gap, gap, gap);
     return grid_.find
     (
-        boundBox
-        (
-            candidate.bounds().min() - margin,
-            candidate.bounds().max() + margin
-        ),
-        [&](const label objecti)
-        {
-            return
-                objecti != except
-             && candidate.closerThan(surfaces_[objecti], gap);
-        }
+        boundBox(candidate.box.min() - margin, candidate.box.max() + margin),
+        isCloser
     );
+}
+
+
+void Foam::fsi::packing::enter(const label objecti)
+{
+    extend(occupied_, balls_[objecti].box);
+    grid_.enter(objecti, balls_[objecti].box);
 }
 
 
@@ -117,29 +164,29 @@ Foam::fsi::closedSurface Foam::fsi::packing::placed
 }
 
 
+const Foam::fsi::closedSurface& Foam::fsi::packing::surface
+(
+    const label objecti
+) const
+{
+    if (surfaces_[objecti].points().empty())
+    {
+        surfaces_[objecti] = placed(objects_[objecti]);
+    }
+    return surfaces_[objecti];
+}
+
+
 Foam::label Foam::fsi::packing::findConflict
 (
-    const closedSurface& candidate,
+    const placedObject& object,
     const scalar gap,
     const label except
 ) const
 {
     for (const vector& shift : shifts_)
     {
-        const boundBox box
-        (
-            candidate.bounds().min() + shift,
-            candidate.bounds().max() + shift
-        );
-        label found = -1;
-        if (shift == vector::zero)
-        {
-            found = findHere(candidate, gap, except);
-        }
-        else if (closedSurface::near(box, occupied_, gap, nDims()))
-        {
-            found = findHere(candidate.moved(tensor::I, shift), gap, except);
-        }
+        const label found = findConflict(object, shift, gap, except);
         if (found >= 0)
         {
             return found;
@@ -160,9 +207,27 @@ Foam::scalar Foam::fsi::packing::distance
     for (const vector& shift : shifts_)
     {
         const closedSurface image(candidate.moved(tensor::I, shift));
-        least = image.distance(surfaces_[objecti], least);
+        least = image.distance(surface(objecti), least);
     }
     return least;
+}
+
+
+bool Foam::fsi::packing::inside
+(
+    const placedObject& object,
+    const boundBox& box
+) const
+{
+    const boundBox own(ballOf(object).box);
+    bool held = true;
+    for (direction d = 0; d < nDims(); ++d)
+    {
+        held = held
+         && own.min()[d] >= box.min()[d]
+         && own.max()[d] <= box.max()[d];
+    }
+    return held || placed(object).inside(box, 0);
 }
 
 
@@ -199,26 +264,20 @@ Foam::label Foam::fsi::packing::insert(const placedObject& object)
 {
     objects_.append(object);
     surfaces_.append(placed(object));
-    extend(occupied_, surfaces_.last().bounds());
-    grid_.enter(size() - 1, surfaces_.last().bounds());
+    balls_.append(ballOf(object));
+    balls_.last().box = surfaces_.last().bounds();
+    enter(size() - 1);
     return size() - 1;
 }
 
 
-void Foam::fsi::packing::move
-(
-    const label objecti,
-    const point& centre,
-    const tensor& rotation,
-    const closedSurface& moved
-)
+void Foam::fsi::packing::move(const label objecti, const placedObject& object)
 {
-    grid_.takeOut(objecti, surfaces_[objecti].bounds());
-    objects_[objecti].centre = centre;
-    objects_[objecti].rotation = rotation;
-    surfaces_[objecti] = moved;
-    extend(occupied_, moved.bounds());
-    grid_.enter(objecti, moved.bounds());
+    grid_.takeOut(objecti, balls_[objecti].box);
+    objects_[objecti] = object;
+    surfaces_[objecti] = closedSurface();
+    balls_[objecti] = ballOf(object);
+    enter(objecti);
 }
 
 

@@ -17,7 +17,7 @@ namespace fsi
 
     //- Random places that are tried before each sweep for objects that the
     //  lattice has no room for, and the sweeps without success after which
-    //  no more are
+    //  the space counts as full
     static const label attempts = 1000, patience = 50;
 }
 }
@@ -39,9 +39,12 @@ Foam::pointField Foam::fsi::packedPlacement::bestSites
     {
         const packedLattice lattice(object, minimumGap(), type);
         DynamicList<point> free;
+        placedObject candidate;
+        candidate.shape = shape();
+        candidate.rotation = rotation();
         for (const point& site : lattice.sites(container))
         {
-            const closedSurface candidate = object.moved(tensor::I, site);
+            candidate.centre = site;
             if (space.findConflict(candidate, minimumGap()) < 0)
             {
                 free.append(site);
@@ -80,17 +83,15 @@ bool Foam::fsi::packedPlacement::tryMove
     placedObject object = space[objecti];
     object.centre += displacement;
     object.rotation = turn & object.rotation;
-
-    const closedSurface candidate = space.placed(object);
     if
     (
-        !candidate.inside(container, 0)
-     || space.findConflict(candidate, minimumGap(), objecti) >= 0
+        !space.inside(object, container)
+     || space.findConflict(object, minimumGap(), objecti) >= 0
     )
     {
         return false;
     }
-    space.move(objecti, object.centre, object.rotation, candidate);
+    space.move(objecti, object);
     return true;
 }
 
@@ -111,11 +112,10 @@ Foam::label Foam::fsi::packedPlacement::addBetween
             centre[d] += container.span()[d]*random().sample01<scalar>();
         }
         const placedObject object(newObject(shape(), centre, randomRotation()));
-        const closedSurface candidate(space.placed(object));
         if
         (
-            candidate.inside(container, 0)
-         && space.findConflict(candidate, minimumGap()) < 0
+            space.inside(object, container)
+         && space.findConflict(object, minimumGap()) < 0
         )
         {
             space.insert(object);
@@ -147,11 +147,15 @@ void Foam::fsi::packedPlacement::shake
 
     for (label sweep = 0; sweep < sweeps_; ++sweep)
     {
-        if (n < number && sweep < lastAdded + patience)
+        if (n < number)
         {
             const label added = addBetween(space, container, number - n);
             n += added;
             lastAdded = added ? sweep : lastAdded;
+            if (sweep > lastAdded + patience)
+            {
+                return;
+            }
         }
         label moved = 0, turned = 0;
         for (label objecti = first; objecti < space.size(); ++objecti)

@@ -18,7 +18,7 @@ void Foam::fsi::placement::insertAll
     for (const placedObject& object : objects)
     {
         const closedSurface candidate = space.placed(object);
-        const label other = space.findConflict(candidate, minimumGap_);
+        const label other = space.findConflict(object, minimumGap_);
         const label objecti = space.insert(object);
 
         if (!space.inDomain(object, candidate, wallGap_))

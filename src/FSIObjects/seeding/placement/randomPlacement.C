@@ -38,10 +38,9 @@ bool Foam::fsi::randomPlacement::findPlace
         }
         object.rotation = randomRotation_ ? randomRotation() : rotation();
 
-        const closedSurface candidate = space.placed(object);
-        if (candidate.inside(container, 0))
+        if (space.inside(object, container))
         {
-            if (space.findConflict(candidate, minimumGap()) < 0)
+            if (space.findConflict(object, minimumGap()) < 0)
             {
                 return true;
             }

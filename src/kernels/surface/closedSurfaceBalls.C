@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "closedSurface.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::closedSurface::measure()
+{
+    surfaceSet alone(nDims_);
+    alone.append(points_, *faces_);
+    volume_ = alone.volume(0);
+    centroid_ = alone.centroid(0);
+
+    for (const point& p : points_)
+    {
+        outerRadius_ = max(outerRadius_, mag(p - centroid_));
+    }
+    if (contains(centroid_))
+    {
+        innerRadius_ = outerRadius_;
+        FixedList<scalar, 3> weights;
+        forAll(*faces_, facei)
+        {
+            const point nearest =
+                alone.nearestOnFace(facei, centroid_, weights);
+            innerRadius_ = min(innerRadius_, mag(nearest - centroid_));
+        }
+    }
+}
+
+
+Foam::scalar Foam::fsi::closedSurface::centreDistance
+(
+    const closedSurface& other
+) const
+{
+    return mag(cmptMultiply(solved(), other.centroid_ - centroid_));
+}
+
+
+// * * * * * * * * * * * * Static Member Functions  * * * * * * * * * * * * * //
+
+Foam::fsi::closedSurface::answer Foam::fsi::closedSurface::fromBalls
+(
+    const closedSurface& a,
+    const closedSurface& b,
+    const scalar apart,
+    const scalar gap
+)
+{
+    // More than round-off, so that the faces decide when it is close
+    const scalar slack = 1e-9;
+    if (apart > (1 + slack)*(a.outerRadius_ + b.outerRadius_ + gap))
+    {
+        return NO;
+    }
+    const bool both = min(a.innerRadius_, b.innerRadius_) > 0;
+    const scalar least = (1 - slack)*(a.innerRadius_ + b.innerRadius_ + gap);
+    return both && apart < least ? YES : UNKNOWN;
+}
+
+
+// ************************************************************************* //
