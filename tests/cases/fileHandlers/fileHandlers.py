@@ -6,7 +6,9 @@ what another one wrote, and gives the same state:
     fileHandlers.py FOLDER
 """
 
+import glob
 import os
+import shutil
 import sys
 
 import fsiCase
@@ -21,17 +23,19 @@ PAIRS = [(MASTER, MASTER), (COLLATED, COLLATED), (UNCOLLATED, COLLATED),
          (COLLATED, UNCOLLATED), (MASTER, COLLATED), (COLLATED, MASTER)]
 
 
-def case_of(folder, name):
+def case_of(folder, name, **parameters):
     """A case of four steps that writes each second one."""
-    return smallCase.small_case(os.path.join(folder, name), writeInterval=2,
-                                writeFormat="binary", endTime=4*STEP)
+    return smallCase.small_case(os.path.join(folder, name), **{
+        "writeInterval": 2, "writeFormat": "binary", "endTime": 4*STEP,
+        **parameters})
 
 
-def solve(case, ranks, handler, step, how="option"):
-    """Runs a case to a step. how: the way in which the handler is given."""
+def solve(case, ranks, handler, step, how="option", more=""):
+    """Runs a case to a step. how: the way in which the handler is given; more
+    switches of it."""
     options = ("-fileHandler", handler) if how == "option" else ()
     case.control(endTime=step*STEP, OptimisationSwitches=(
-        f"{{ fileHandler {handler}; }}" if how == "control" else "{}"))
+        f"{{ fileHandler {handler}; {more} }}" if how == "control" else "{}"))
     if how == "environment":
         os.environ["FOAM_FILEHANDLER"] = handler
     try:
@@ -108,6 +112,43 @@ def check_cut(report, folder, expected):
     report.check("a run goes on from before a cut file", not differ, differ)
 
 
+def check_ranks(report, folder):
+    """Two, three and five ranks and one, each from what the last ones wrote:
+    collated by a thread of its own and without, packed, several ranks a file.
+    The objects are those of one rank up to its solver's tolerance."""
+    tight = {"p_tolerance": 1e-12, "U_tolerance": 1e-12}
+    whole = case_of(folder, "tight", writeInterval=1, writeFormat="ascii",
+                    **tight)
+    solve(whole, 1, UNCOLLATED, 4)
+    case = case_of(folder, "many", writeInterval=1, **tight)
+    packed = {"writeCompression": "on"}
+    threaded = {"more": "maxThreadFileBufferSize 1e7; maxMasterFileBufferSize "
+                "1e7;"}
+    for step, (parts, handler, entries) in enumerate(
+            (((2, 1), COLLATED, threaded), ((3, 1), MASTER, packed),
+             ((5, 1), COLLATED, {**packed, **threaded}), ((1,), COLLATED, {}))):
+        name = f"{parts[0]} ranks, {handler}"
+        ranks = 1
+        # decomposePar -force would put three ranks into processors2
+        for old in glob.glob(os.path.join(case.path, "processor*")):
+            shutil.rmtree(old)
+        case.control(writeCompression=entries.get("writeCompression", "off"),
+                     writeFormat="binary" if parts != (1,) else "ascii",
+                     OptimisationSwitches="{}")
+        if parts != (1,):
+            ranks = case.decompose(*parts, options=(
+                "-latestTime", "-fileHandler", handler))
+        solve(case, ranks, handler, step + 1, "control",
+              entries.get("more", ""))
+        if ranks > 1:
+            case.run("reconstructPar", "-latestTime", "-fileHandler", handler)
+        case.run("checkObjects", "-latestTime", "-fileHandler", handler)
+        report.check(name, True)
+    error = results.difference(whole.path, case.path)
+    report.check("one rank goes on from five, three and two", error < 1e-8,
+                 f"{error:.2e} of an object's size")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -123,6 +164,7 @@ def main(folder):
                        *pair)
     report.attempt("ways", check_ways, report, folder, expected)
     report.attempt("cut", check_cut, report, folder, expected)
+    report.attempt("ranks", check_ranks, report, folder)
 
 
 if __name__ == "__main__":
