@@ -5,7 +5,7 @@
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::addRigidForce
+void Foam::fsi::addNetForce
 (
     const fsiSystem& system,
     const vectorField& nodal,
@@ -16,10 +16,10 @@ void Foam::fsi::addRigidForce
     system.objects.layout().toBoundary(nodal, boundary);
     forAll(force, groupi)
     {
-        addRigidForce
-        (
-            system.objects.groups()[groupi], boundary[groupi], force[groupi]
-        );
+        const bodyGroup& group = system.objects.groups()[groupi];
+        const auto add =
+            group.hasFreeWaves() ? addSurfaceForce : addRigidForce;
+        add(group, boundary[groupi], force[groupi]);
     }
 }
 

@@ -74,14 +74,13 @@ void Foam::fsi::solidImplicit::predict
     const groupNodal& force
 )
 {
+    addNetForce(system_, gradientForce_ + balance_.payment(), load);
     groupNodal rest(load.size());
     forAll(rest, groupi)
     {
-        bodyGroup& group = system_.objects.groups()[groupi];
-        rest[groupi] = group.splitLoad(load[groupi]);
+        rest[groupi] = system_.objects.groups()[groupi].splitLoad(load[groupi]);
         load[groupi] += force[groupi];
     }
-    addRigidForce(system_, gradientForce_ + balance_.payment(), load);
     predictShared(system_.objects, time, system_.stepTime(), load, predicted_);
     addResponse(system_.objects, rest, predicted_);
 }
@@ -177,7 +176,7 @@ bool Foam::fsi::solidImplicit::again(volScalarField& p, const volVectorField&)
     (
         system_.walls.atWalls(start.primitiveField()) - last, load
     );
-    addRigidForce(system_, gradientForce_ - lastForce, load);
+    addNetForce(system_, gradientForce_ - lastForce, load);
     addResponse(system_.objects, load, predicted_);
     velocity_.change() = predicted_;
     return true;
@@ -244,18 +243,19 @@ void Foam::fsi::solidImplicit::end
 
     vectorField nodal;
     system_.walls.transpose(p.primitiveField(), nodal);
-    hydrodynamicForce_ =
-        linkForce_ + gradientForce_ + system_.fluidDensity*nodal;
+    nodal = linkForce_ + system_.fluidDensity*nodal;
+    hydrodynamicForce_ = nodal + gradientForce_;
     if (!countsLayer())
     {
         hydrodynamicForce_ += balance_.close();
     }
 
-    groupNodal links;
-    system_.objects.layout().toGroups(linkForce_, links);
-    forAll(links, groupi)
+    groupNodal load;
+    system_.objects.layout().toGroups(nodal, load);
+    addNetForce(system_, gradientForce_ + balance_.payment(), load);
+    forAll(load, groupi)
     {
-        system_.objects.groups()[groupi].keepLinkLoad(links[groupi]);
+        system_.objects.groups()[groupi].keepLoad(load[groupi]);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "elementEnergy.H"
 #include "elementViscosity.H"
 #include "matrixEntry.H"
+#include "rigidForce.H"
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
@@ -22,7 +23,7 @@ void Foam::fsi::elasticBodies::resizeState(const label nCopies)
     deformableBodies::resizeState(nCopies);
     const label nRows = shape().nBoundaryNodes();
     meanLoad_.conservativeResize(nRows, shape().nDims()*nCopies);
-    linkLoad_.conservativeResize(nRows, shape().nDims()*nCopies);
+    lastLoad_.conservativeResize(nRows, shape().nDims()*nCopies);
 }
 
 
@@ -30,7 +31,7 @@ void Foam::fsi::elasticBodies::startState(const label copyi)
 {
     deformableBodies::startState(copyi);
     ofCopy(meanLoad_, copyi).setZero();
-    ofCopy(linkLoad_, copyi).setZero();
+    ofCopy(lastLoad_, copyi).setZero();
 }
 
 
@@ -38,14 +39,14 @@ void Foam::fsi::elasticBodies::copyState(const label from, const label to)
 {
     deformableBodies::copyState(from, to);
     ofCopy(meanLoad_, to) = ofCopy(meanLoad_, from);
-    ofCopy(linkLoad_, to) = ofCopy(linkLoad_, from);
+    ofCopy(lastLoad_, to) = ofCopy(lastLoad_, from);
 }
 
 
 void Foam::fsi::elasticBodies::writeState(Ostream& os) const
 {
     writeMatrix(os, "meanLoad", meanLoad_);
-    writeMatrix(os, "linkLoad", linkLoad_);
+    writeMatrix(os, "lastLoad", lastLoad_);
     deformableBodies::writeState(os);
 }
 
@@ -53,7 +54,7 @@ void Foam::fsi::elasticBodies::writeState(Ostream& os) const
 void Foam::fsi::elasticBodies::readState(const dictionary& dict)
 {
     readMatrix(dict, "meanLoad", meanLoad_);
-    readMatrix(dict, "linkLoad", linkLoad_);
+    readMatrix(dict, "lastLoad", lastLoad_);
     deformableBodies::readState(dict);
 }
 
@@ -64,7 +65,7 @@ Foam::fsi::elasticBodies::elasticBodies(const shapeTemplate& shape)
 :
     deformableBodies(shape),
     meanLoad_(shape.nBoundaryNodes(), 0),
-    linkLoad_(shape.nBoundaryNodes(), 0),
+    lastLoad_(shape.nBoundaryNodes(), 0),
     solver_(shape)
 {}
 
@@ -74,19 +75,27 @@ Foam::fsi::elasticBodies::elasticBodies(const shapeTemplate& shape)
 Eigen::MatrixXd Foam::fsi::elasticBodies::splitLoad(Eigen::MatrixXd& load)
 {
     // A quarter: stable where the response is up to 8 times as stiff
-    const auto boundary = load.topRows(meanLoad_.rows());
-    meanLoad_ += 0.25*(boundary + linkLoad_ - meanLoad_);
+    meanLoad_ += 0.25*(lastLoad_ - meanLoad_);
 
-    Eigen::MatrixXd rest = Eigen::MatrixXd::Zero(load.rows(), load.cols());
-    rest.topRows(meanLoad_.rows()) = boundary - meanLoad_;
+    Eigen::MatrixXd turning = Eigen::MatrixXd::Zero(load.rows(), load.cols());
+    addRigidForce(*this, meanLoad_, turning);
+    Eigen::MatrixXd rest(load + turning);
+    rest.topRows(meanLoad_.rows()) -= meanLoad_;
     load -= rest;
     return rest;
 }
 
 
-void Foam::fsi::elasticBodies::keepLinkLoad(const Eigen::MatrixXd& load)
+void Foam::fsi::elasticBodies::keepLoad(const Eigen::MatrixXd& load)
 {
-    linkLoad_ = load.topRows(linkLoad_.rows());
+    lastLoad_ = load.topRows(lastLoad_.rows());
+}
+
+
+void Foam::fsi::elasticBodies::expectLoad(const Eigen::MatrixXd& load)
+{
+    meanLoad_ += load;
+    lastLoad_ += load;
 }
 
 

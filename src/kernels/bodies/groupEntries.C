@@ -23,7 +23,7 @@ Foam::labelList Foam::fsi::readGroupIds
         {
             "FoamFile", "motion", "shape", "objectIds", "positions",
             "velocities", "lastMean", "lastVelocities", "meanLoad",
-            "linkLoad", "owedImpulse", "springStates", "triangles"
+            "lastLoad", "owedImpulse", "springStates", "triangles"
         }
     );
     const word name(getEntry<word>(dict, "shape"));

@@ -2,6 +2,8 @@
 
 #include "rigidForce.H"
 
+#include <Eigen/Dense>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -62,6 +64,55 @@ void Foam::fsi::addRigidForce
         boundaryForce,
         force
     );
+}
+
+
+void Foam::fsi::addSurfaceForce
+(
+    const bodyGroup& group,
+    const Eigen::MatrixXd& boundaryForce,
+    Eigen::MatrixXd& force
+)
+{
+    const label nDims = group.shape().nDims();
+    const Eigen::Index nB = boundaryForce.rows();
+    const auto rotations =
+        group.response().modesOf(bodyResponse::modeKind::rotation);
+    const Eigen::VectorXd masses
+    (
+        Eigen::Map<const Eigen::VectorXd>
+        (
+            group.shape().nodeMasses().cdata(), nB
+        ).replicate(nDims, 1)
+    );
+    Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero
+    (
+        nDims*nB, nDims + Eigen::Index(rotations.size())
+    );
+    for (label d = 0; d < nDims; ++d)
+    {
+        rigid.block(d*nB, d, nB, 1).setOnes();
+    }
+    for (label first = 0; first < force.cols(); first += nDims)
+    {
+        Eigen::Index column = nDims;
+        for (const bodyResponse::mode* rotation : rotations)
+        {
+            rigid.col(column++) =
+                rotation->values.block(0, first, nB, nDims).reshaped();
+        }
+        const Eigen::MatrixXd momenta(masses.asDiagonal()*rigid);
+        const Eigen::VectorXd acceleration
+        (
+            (rigid.transpose()*momenta).ldlt().solve
+            (
+                rigid.transpose()
+               *boundaryForce.middleCols(first, nDims).reshaped()
+            )
+        );
+        force.block(0, first, nB, nDims) +=
+            (momenta*acceleration).reshaped(nB, nDims);
+    }
 }
 
 
