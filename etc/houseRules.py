@@ -9,15 +9,22 @@ collectives A call that all ranks must make stands in no loop and no branch over
             something of which each rank has its own number: patches, cells,
             faces. What this does not see collectiveCalls finds in a run.
 sizes       A class, its header and its sources together, has at most 600
-            lines.
+            lines; a folder has at most 25 headers and sources.
+places      A folder of tests has the name of the folder of src that it tests,
+            but for those with what tests share.
 
 Each takes a dictionary of texts by path and yields (path, line, what).
 """
 
+import collections
 import os
 import re
 
 MAX_CLASS = 600
+MAX_FOLDER = 25
+
+# Folders of tests with what tests share
+SHARED = ("samples", "boxMesh")
 
 # Files and folders that may send messages between ranks; all others call
 # their functions
@@ -198,7 +205,30 @@ def sizes(texts):
                               f"(at most {MAX_CLASS})")
 
 
+def folders(texts):
+    """At most so many headers and sources in a folder."""
+    counts = collections.Counter(map(os.path.dirname, sources_of(texts)))
+    for folder, count in sorted(counts.items()):
+        if count > MAX_FOLDER:
+            first = min(p for p in texts if os.path.dirname(p) == folder)
+            yield first, 1, (f"{folder} has {count} headers and sources "
+                             f"(at most {MAX_FOLDER})")
+
+
+def places(texts):
+    """Tests stand in folders with the names of those that they test."""
+    known = {part for path in sources_of(texts)
+             for part in os.path.dirname(path).split("/")}
+    for path in sorted(texts):
+        parts = path.split("/")
+        if (parts[0] == "tests" and parts[1] in ("unit", "mesh")
+                and path.endswith(".C") and len(parts) > 3
+                and parts[2] not in known and parts[2] not in SHARED):
+            yield path, 1, (f"{'/'.join(parts[:3])} tests no folder of src: "
+                            "it needs the name of one")
+
+
 def check(texts):
     """All of them."""
-    for rule in (circles, ranks, collectives, sizes):
+    for rule in (circles, ranks, collectives, sizes, folders, places):
         yield from rule(texts)

@@ -54,7 +54,8 @@ PISO { nCorrectors 1; pRefCell 0; pRefValue 0; }
 KINDS = {
     "default": {"density": 1000, "E": 2e3, "gap": 1.5, "properties": ""},
     "weak": {"density": 10000, "E": 1e9, "gap": 3.1,
-             "properties": "coupling { type weak; load nearestCell; }\n"
+             "properties": fsiCase.THESIS
+                           + "coupling { type weak; load nearestCell; }\n"
                            "wall voxel;\n"},
 }
 

@@ -16,6 +16,9 @@ import time
 
 from boxFiles import DEFAULTS, BoxFiles
 
+# Entry of fsiProperties for the thesis's couplings, walls and level set
+THESIS = 'libs ("libFSIThesis.so");\n'
+
 CONTROLS = {
     "application": "fsiPisoFoam",
     "startFrom": "startTime",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "sphereSurfaces.H"
-#include "../unit/levelSet/testSurfaces.H"
+#include "../unit/samples/surfaceSamples.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 

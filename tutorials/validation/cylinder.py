@@ -4,6 +4,7 @@
 import itertools
 import math
 
+import fsiCase
 from common import Case, Field, Row, disc, placed
 
 HEIGHT = 0.41
@@ -55,7 +56,7 @@ def steady():
         for cells in (10, 20, 40):
             case = channel(
                 f"cylinder20-{wall}-{cells}", cells, 0.3, case,
-                properties=f"wall {wall};", deltaT=0.1/cells,
+                properties=fsiCase.THESIS + f"wall {wall};", deltaT=0.1/cells,
                 endTime=2 if case else 10, writeInterval=2)
             minutes = case.solve()
             last = case.objects()[-1]

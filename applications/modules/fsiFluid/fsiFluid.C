@@ -42,7 +42,7 @@ Foam::solvers::fsiFluid::fsiFluid(fvMesh& mesh)
     lock_(mesh.time().globalPath()),
     nu_(viscosityOfFluid()),
     objects_(mesh, nu_),
-    step_(objects_, p_, U_, phi_, nu_),
+    step_(fsi::fsiStep::New(objects_, {p_, U_, phi_})),
     timeStep_(mesh.time()),
     nextDeltaT_(mesh.time().deltaTValue())
 {}
@@ -59,7 +59,7 @@ Foam::scalar Foam::solvers::fsiFluid::maxDeltaT() const
 void Foam::solvers::fsiFluid::preSolve()
 {
     incompressibleFluid::preSolve();
-    nextDeltaT_ = timeStep_.next(phi_, objects_);
+    nextDeltaT_ = timeStep_.next(phi_, *step_);
 }
 
 
@@ -75,7 +75,7 @@ void Foam::solvers::fsiFluid::momentumPredictor()
             << "Entry 'nOuterCorrectors' must be 1: the step of fsiFluid has"
             << " its own passes" << exit(FatalIOError);
     }
-    step_.advance(fsi::modelSources(fvModels(), fvConstraints()));
+    step_->advance(fsi::modelSources(fvModels(), fvConstraints()));
 }
 
 
@@ -86,10 +86,10 @@ void Foam::solvers::fsiFluid::pressureCorrector()
 void Foam::solvers::fsiFluid::postSolve()
 {
     timeStep_.write();
-    objects_.write();
+    step_->write();
     if (!mesh.time().running())
     {
-        objects_.summary(Info);
+        step_->summary(Info);
     }
 }
 

@@ -32,7 +32,7 @@ Description
 
     Of system/fvSolution the dictionaries of p and U are read. With the default
     coupling solidImplicit only their tolerance, relTol and maxIter count, and
-    the multigrid's entries (solidImplicit.H): whatever \c solver names, p is
+    the multigrid's entries (immersedStep.H): whatever \c solver names, p is
     solved by the multigrid and U by relaxation. There is one pressure equation
     per pass of a step (passes of the coupling); \c nCorrectors and \c pFinal
     are not used: let relTol of p be 0.
@@ -44,7 +44,7 @@ Description
 #include "caseLock.H"
 #include "fieldChecks.H"
 #include "fileHeaders.H"
-#include "fluidStep.H"
+#include "fsiStep.H"
 #include "laminarFluid.H"
 #include "meshFiles.H"
 #include "openfoamCase.H"
@@ -64,7 +64,7 @@ Description
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Take a step that is not written
-static int tryStep(Foam::fsi::fluidStep& step, const Foam::fsi::flowSources& s)
+static int tryStep(Foam::fsi::fsiStep& step, const Foam::fsi::flowSources& s)
 {
     step.advance(s);
     Info<< "One step was taken. Nothing is written: -dry-run" << nl
@@ -100,7 +100,6 @@ int main(int argc, char *argv[])
     #include "createFields.H"
     #include "createFvOptions.H"
 
-    fsi::fluidStep step(objects, p, U, phi, fluid.viscosity());
     const fsi::optionSources sources(fvOptions);
     fsi::timeStep timeStep(runTime);
 
@@ -109,7 +108,7 @@ int main(int argc, char *argv[])
     while (runTime.run())
     {
         fsi::writtenFiles::check(runTime);
-        const scalar deltaT = timeStep.next(phi, objects);
+        const scalar deltaT = timeStep.next(phi, *step);
         if (timeStep.adjusts())
         {
             runTime.setDeltaT(deltaT);
@@ -119,19 +118,19 @@ int main(int argc, char *argv[])
 
         if (dryRun)
         {
-            return tryStep(step, sources);
+            return tryStep(*step, sources);
         }
-        step.advance(sources);
+        step->advance(sources);
 
         fsi::writtenFiles::write
         (
-            runTime, [&]() { timeStep.write(); objects.write(); }
+            runTime, [&]() { timeStep.write(); step->write(); }
         );
     }
 
     fsi::writtenFiles::check(runTime);
-    objects.checkCrossing();
-    objects.summary(Info);
+    step->checkCrossing();
+    step->summary(Info);
     Info<< "End\n" << endl;
 
     return 0;

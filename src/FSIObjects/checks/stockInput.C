@@ -6,6 +6,7 @@
 #include "fvMesh.H"
 #include "IFstream.H"
 #include "misspelling.H"
+#include "openfoamMesh.H"
 #include "readBetween.H"
 #include "stepControls.H"
 #include "Switch.H"
@@ -232,6 +233,13 @@ Foam::vector Foam::fsi::stockInput::gravity
 
 void Foam::fsi::stockInput::checkFrame(const fvMesh& mesh)
 {
+    if (ddtSchemeOf(mesh, "ddt(U)") == "steadyState")
+    {
+        FatalIOErrorInFunction(schemesOf(mesh))
+            << "Entry 'ddt(U)' or 'default' of ddtSchemes is steadyState, but"
+            << " objects move in time: take Euler or backward"
+            << exit(FatalIOError);
+    }
     const dictionary zones(constantFile(mesh, "MRFProperties"));
     for (const entry& e : zones)
     {

@@ -4,7 +4,6 @@
 #include "dictionaryCheck.H"
 #include "errorOf.H"
 #include "fluidRegions.H"
-#include "fsiSystem.H"
 #include "openfoamMesh.H"
 #include "patchChecks.H"
 #include "sharedPatches.H"
@@ -185,14 +184,15 @@ static void checkRegions
 (
     const volScalarField& p,
     const volVectorField& U,
-    const fsiSystem& system
+    const population& bodies,
+    const interfaceGeometry& geometry
 )
 {
-    const surfaceSet& surfaces = system.objects.surfaces();
-    boolList moves(system.objects.size(), false);
+    const surfaceSet& surfaces = bodies.surfaces();
+    boolList moves(bodies.size(), false);
     forAll(moves, objecti)
     {
-        moves[objecti] = system.objects.movesFreely(objecti);
+        moves[objecti] = bodies.movesFreely(objecti);
     }
     forAll(surfaces.velocities(), pointi)
     {
@@ -203,7 +203,7 @@ static void checkRegions
     }
     scalar inflow = 0;
     const label patchi =
-        fluidRegions(system.geometry, p).closedInlet(U, moves, inflow);
+        fluidRegions(geometry, p).closedInlet(U, moves, inflow);
     if (patchi >= 0)
     {
         FatalErrorInFunction
@@ -239,7 +239,9 @@ void Foam::fsi::fieldChecks::check
 (
     const volScalarField& p,
     const volVectorField& U,
-    const fsiSystem& system
+    const population& bodies,
+    const domainSides& sides,
+    const interfaceGeometry& geometry
 )
 {
     checkField(p);
@@ -247,9 +249,9 @@ void Foam::fsi::fieldChecks::check
     checkPressure(p);
     checkControls(p.mesh(), p.name());
     checkControls(p.mesh(), U.name());
-    patchChecks::check(p, U, system);
-    checkInlets(U, system.geometry.activeCell());
-    checkRegions(p, U, system);
+    patchChecks::check(p, U, bodies, sides);
+    checkInlets(U, geometry.activeCell());
+    checkRegions(p, U, bodies, geometry);
 }
 
 

@@ -75,17 +75,17 @@ static void checkWalls(const volVectorField& U, const volScalarField& p)
 
 
 //- Fatal if a side has open patches beside walls and objects move freely
-static void checkSides(const fsiSystem& system)
+static void checkSides(const population& bodies, const domainSides& sides)
 {
     bool free = false;
-    for (const bodyGroup& group : system.objects.groups())
+    for (const bodyGroup& group : bodies.groups())
     {
         free = free || group.movesFreely();
     }
     for (label sidei = 0; sidei < 6 && free; ++sidei)
     {
-        const wordList& patches = system.sides.patches(sidei);
-        if (system.sides[sidei] == domainSides::WALL && patches.size())
+        const wordList& patches = sides.patches(sidei);
+        if (sides[sidei] == domainSides::WALL && patches.size())
         {
             FatalErrorInFunction
                 << "Patch " << patches[0] << " in constant/polyMesh/boundary"
@@ -107,11 +107,12 @@ void Foam::fsi::patchChecks::check
 (
     const volScalarField& p,
     const volVectorField& U,
-    const fsiSystem& system
+    const population& bodies,
+    const domainSides& sides
 )
 {
     checkWalls(U, p);
-    checkSides(system);
+    checkSides(bodies, sides);
 }
 
 

@@ -158,13 +158,13 @@ void Foam::fsi::cutConvection::addLoss
     const surfaceSet& surfaces,
     const volVectorField& U,
     const vectorField& v,
-    vectorField& nodal
+    partialForces& nodal
 ) const
 {
     // Relative to the mean velocity of an object, to which all fluxes add up to
     // nothing, but for the tolerance of the pressure
     const vectorField mean(objectMeans(surfaces, v));
-    addLinks(U, mean, nodal);
+    addLinks(U, mean, nodal.mine());
 
     // Farther cells have no cut faces, and some ranks do not know them as near
     const vectorField& C = U.mesh().C();
@@ -189,7 +189,7 @@ void Foam::fsi::cutConvection::addLoss
                 final_.cells[i]*(place.interpolate(v) - ofAll)
               - convecting_.cells[i]*(U[celli] - ofAll)
             );
-            place.spread(nodal, loss);
+            place.spread(nodal.mine(), loss);
         }
     }
 }

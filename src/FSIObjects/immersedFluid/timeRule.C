@@ -11,7 +11,16 @@ Foam::fsi::timeRule::timeRule(const fvMesh& mesh)
     backward_(ddtSchemeOf(mesh, "ddt(U)") == "backward"),
     begun_(false),
     ratio_(0)
-{}
+{
+    const word scheme(ddtSchemeOf(mesh, "ddt(U)"));
+    if (!backward_ && scheme != "Euler")
+    {
+        FatalIOErrorInFunction(schemesOf(mesh))
+            << "Entry 'ddt(U)' or 'default' of ddtSchemes is " << scheme
+            << " but must be Euler or backward"
+            << exit(FatalIOError);
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

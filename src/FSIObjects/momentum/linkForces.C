@@ -62,20 +62,19 @@ static void gatherLinks(std::vector<std::vector<copyLink>>& links)
 
 void Foam::fsi::setCopyLinks
 (
-    const fsiSystem& system,
+    const population& bodies,
+    const interfaceGeometry& geometry,
+    const scalar viscosity,
     viscousResponse::copyLinks& links
 )
 {
-    const population& objects = system.objects;
-    const labelList& start = objects.surfaces().pointStart();
-    const scalar viscosity = system.fluidDensity*system.viscosity;
-
-    links.resize(objects.size());
+    const labelList& start = bodies.surfaces().pointStart();
+    links.resize(bodies.size());
     for (auto& ofObject : links)
     {
         ofObject.clear();
     }
-    for (const wallLink& link : system.geometry.wallLinks())
+    for (const wallLink& link : geometry.wallLinks())
     {
         const label objecti = link.place.object;
         viscousResponse::copyLink c;
@@ -95,17 +94,17 @@ void Foam::fsi::setCopyLinks
 
 void Foam::fsi::addLinkForce
 (
-    const fsiSystem& system,
+    const interfaceGeometry& geometry,
+    const scalar viscosity,
     const volVectorField& U,
     const vectorField& v,
-    vectorField& force
+    partialForces& force
 )
 {
-    const scalar viscosity = system.fluidDensity*system.viscosity;
-    for (const wallLink& link : system.geometry.wallLinks())
+    for (const wallLink& link : geometry.wallLinks())
     {
         const vector slip(U[link.cell] - link.place.interpolate(v));
-        link.place.spread(force, viscosity*link.conductance*slip);
+        link.place.spread(force.mine(), viscosity*link.conductance*slip);
     }
 }
 

@@ -266,10 +266,13 @@ void Foam::fsi::linkOperator::setResiduals(const vectorField& v)
 void Foam::fsi::linkOperator::addForce
 (
     const scalar density,
-    vectorField& force
+    partialForces& force
 ) const
 {
-    forDims([&](auto n) { doAddForce<decltype(n)::value>(density, force); });
+    forDims
+    (
+        [&](auto n) { doAddForce<decltype(n)::value>(density, force.mine()); }
+    );
 }
 
 

@@ -51,4 +51,36 @@ void Foam::fsi::overRelaxation::observe(const scalar residual)
 }
 
 
+void Foam::fsi::overRelaxation::checkConverges
+(
+    const scalar residual,
+    const label nSweeps,
+    const scalar limit
+)
+{
+    if (!(residual < limit))
+    {
+        FatalErrorInFunction
+            << "The velocity's sweeps diverge: residual " << residual
+            << " after " << nSweeps
+            << ". Take a smaller deltaT (Courant number below 1) or"
+            << " adjustTimeStep with maxCo; give very soft bodies a viscosity"
+            << " (material)" << exit(FatalError);
+    }
+}
+
+
+void Foam::fsi::overRelaxation::checkEnd(const solverPerformance& result)
+{
+    if (!result.converged())
+    {
+        checkConverges(result.finalResidual(), result.nIterations(), 1);
+        WarningInFunction
+            << "The velocity's sweeps did not converge: residual "
+            << result.finalResidual() << " after " << result.nIterations()
+            << " (maxIter in fvSolution). Take a smaller deltaT" << endl;
+    }
+}
+
+
 // ************************************************************************* //

@@ -13,17 +13,21 @@ namespace fsi
 //- For all four nodes of each object that has free waves, and their friction:
 //  action(object, four, friction)
 template<class Action>
-static void forShortWaves(const fsiSystem& system, const Action& action)
+static void forShortWaves
+(
+    const population& bodies,
+    const fluidProperties& fluid,
+    const scalar thickness,
+    const Action& action
+)
 {
-    if (system.shortWaveStress <= 0)
+    if (fluid.shortWaveStress <= 0)
     {
         return;
     }
-    const scalar viscosity = system.fluidDensity*system.viscosity;
-    const scalar thickness = system.grid.thickness();
-    forAll(system.objects.groups(), groupi)
+    forAll(bodies.groups(), groupi)
     {
-        const bodyGroup& group = system.objects.groups()[groupi];
+        const bodyGroup& group = bodies.groups()[groupi];
         const shapeTemplate& shape = group.shape();
         if (!group.hasFreeWaves())
         {
@@ -36,12 +40,12 @@ static void forShortWaves(const fsiSystem& system, const Action& action)
         for (const shortWaves::fourNodes& four : all)
         {
             const scalar friction =
-                system.shortWaveStress*four.friction(viscosity);
+                fluid.shortWaveStress*four.friction(fluid.dynamicViscosity());
             for (label copyi = 0; copyi < group.size(); ++copyi)
             {
                 action
                 (
-                    system.objects.objectIndex(groupi, copyi),
+                    bodies.objectIndex(groupi, copyi),
                     four,
                     friction
                 );
@@ -58,13 +62,17 @@ static void forShortWaves(const fsiSystem& system, const Action& action)
 
 void Foam::fsi::addShortWaves
 (
-    const fsiSystem& system,
+    const population& bodies,
+    const fluidProperties& fluid,
+    const scalar thickness,
     viscousResponse::copyLinks& links
 )
 {
     forShortWaves
     (
-        system,
+        bodies,
+        fluid,
+        thickness,
         [&](const label objecti, const auto& four, const scalar friction)
         {
             links[objecti].push_back({four.nodes, four.difference, friction});
@@ -75,15 +83,19 @@ void Foam::fsi::addShortWaves
 
 void Foam::fsi::addShortWaveForce
 (
-    const fsiSystem& system,
+    const population& bodies,
+    const fluidProperties& fluid,
+    const scalar thickness,
     const vectorField& v,
     vectorField& force
 )
 {
-    const labelList& start = system.objects.surfaces().pointStart();
+    const labelList& start = bodies.surfaces().pointStart();
     forShortWaves
     (
-        system,
+        bodies,
+        fluid,
+        thickness,
         [&](const label objecti, const auto& four, const scalar friction)
         {
             four.addForce(start[objecti], friction, v, force);

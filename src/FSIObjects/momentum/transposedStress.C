@@ -191,20 +191,6 @@ Foam::label Foam::fsi::nRotations(const direction nDims)
 }
 
 
-std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
-(
-    const fsiSystem& system
-)
-{
-    return transposedModes
-    (
-        system.objects.surfaces(),
-        system.geometry,
-        system.fluidDensity*system.viscosity*system.grid.thickness()
-    );
-}
-
-
 void Foam::fsi::addTransposedForce
 (
     const std::vector<transposedMode>& modes,

@@ -4,15 +4,23 @@
 #include "linkForces.H"
 #include "shortWaveStress.H"
 #include "solverPerformance.H"
-#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::viscousCoupling::viscousCoupling(const fsiSystem& system)
+Foam::fsi::viscousCoupling::viscousCoupling
+(
+    const population& bodies,
+    const interfaceGeometry& geometry,
+    const fluidProperties& fluid,
+    runLog& log
+)
 :
-    system_(system),
-    matrix_(system.grid),
-    links_(matrix_, system.grid.nDims())
+    bodies_(bodies),
+    geometry_(geometry),
+    fluid_(fluid),
+    log_(log),
+    matrix_(geometry.grid()),
+    links_(matrix_, geometry.grid().nDims())
 {}
 
 
@@ -22,12 +30,18 @@ void Foam::fsi::viscousCoupling::updateTransposedStress()
 {
     transposed_.clear();
     std::vector<transposedMode> strains;
-    for (transposedMode& mode : transposedModes(system_))
+    const surfaceSet& surfaces = bodies_.surfaces();
+    const auto modes = transposedModes
+    (
+        surfaces,
+        geometry_,
+        fluid_.dynamicViscosity()*geometry_.grid().thickness()
+    );
+    for (const transposedMode& mode : modes)
     {
-        (mode.sign > 0 ? transposed_ : strains).push_back(std::move(mode));
+        (mode.sign > 0 ? transposed_ : strains).push_back(mode);
     }
 
-    const surfaceSet& surfaces = system_.objects.surfaces();
     strainForce_.setSize(surfaces.points().size());
     strainForce_ = Zero;
     addTransposedForce
@@ -42,28 +56,31 @@ void Foam::fsi::viscousCoupling::updateTransposedStress()
 
 void Foam::fsi::viscousCoupling::updateResponses
 (
-    const fsiSystem::groupNodal& predicted
+    const stepLength& step,
+    const nodeLayout::groupNodal& predicted
 )
 {
-    const population& objects = system_.objects;
-    setCopyLinks(system_, copyLinks_);
-    addShortWaves(system_, copyLinks_);
+    setCopyLinks
+    (
+        bodies_, geometry_, fluid_.dynamicViscosity(), copyLinks_
+    );
+    addShortWaves(bodies_, fluid_, geometry_.grid().thickness(), copyLinks_);
 
     updateTransposedStress();
-    List<std::vector<Eigen::MatrixXd>> resisting(objects.groups().size());
-    fsiSystem::groupNodal nodal;
+    List<std::vector<Eigen::MatrixXd>> resisting(bodies_.groups().size());
+    nodeLayout::groupNodal nodal;
     for (const transposedMode& mode : transposed_)
     {
-        system_.objects.layout().toBoundary(mode.vectors, nodal);
+        bodies_.layout().toBoundary(mode.vectors, nodal);
         forAll(nodal, groupi)
         {
             resisting[groupi].push_back(nodal[groupi]);
         }
     }
-    responses_.resize(objects.groups().size());
-    forAll(objects.groups(), groupi)
+    responses_.resize(bodies_.groups().size());
+    forAll(bodies_.groups(), groupi)
     {
-        const bodyGroup& group = objects.groups()[groupi];
+        const bodyGroup& group = bodies_.groups()[groupi];
         if (!group.movesFreely())
         {
             continue;
@@ -74,8 +91,8 @@ void Foam::fsi::viscousCoupling::updateResponses
         }
         responses_[groupi]->update
         (
-            system_.stepTime(),
-            copyLinks_.data() + objects.objectIndex(groupi, 0),
+            step.tau,
+            copyLinks_.data() + bodies_.objectIndex(groupi, 0),
             resisting[groupi],
             predicted[groupi]
         );
@@ -83,14 +100,13 @@ void Foam::fsi::viscousCoupling::updateResponses
 }
 
 
-void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
+void Foam::fsi::viscousCoupling::nodeVelocity(nodeLayout::groupNodal& v)
 {
-    nodal_.setSize(system_.objects.surfaces().points().size());
-    nodal_ = Zero;
-    links_.addForce(system_.fluidDensity, nodal_);
-    sumOverRanks(nodal_);
-    nodal_ += strainForce_;
-    system_.objects.layout().toBoundary(nodal_, groupForce_);
+    nodal_.reset(bodies_.surfaces().points().size());
+    links_.addForce(fluid_.density, nodal_);
+    vectorField& force = nodal_.collect();
+    force += strainForce_;
+    bodies_.layout().toBoundary(force, groupForce_);
     forAll(v, groupi)
     {
         if (responses_[groupi])
@@ -101,7 +117,7 @@ void Foam::fsi::viscousCoupling::nodeVelocity(fsiSystem::groupNodal& v)
 }
 
 
-void Foam::fsi::viscousCoupling::overRelax(fsiSystem::groupNodal& v)
+void Foam::fsi::viscousCoupling::overRelax(nodeLayout::groupNodal& v)
 {
     const scalar further = max(relaxation_.factor() - 1, 0.0);
     lastVelocity_ = v;
@@ -113,9 +129,9 @@ void Foam::fsi::viscousCoupling::overRelax(fsiSystem::groupNodal& v)
 }
 
 
-void Foam::fsi::viscousCoupling::setWalls(const fsiSystem::groupNodal& v)
+void Foam::fsi::viscousCoupling::setWalls(const nodeLayout::groupNodal& v)
 {
-    system_.objects.layout().toSurface(v, nodalVelocity_);
+    bodies_.layout().toSurface(v, nodalVelocity_);
     links_.setSources(nodalVelocity_);
 }
 
@@ -127,9 +143,9 @@ void Foam::fsi::viscousCoupling::startCorrection(const scalar norm)
 }
 
 
-void Foam::fsi::viscousCoupling::moveWalls(const fsiSystem::groupNodal& v)
+void Foam::fsi::viscousCoupling::moveWalls(const nodeLayout::groupNodal& v)
 {
-    system_.objects.layout().toSurface(v, nodalVelocity_);
+    bodies_.layout().toSurface(v, nodalVelocity_);
     links_.setResiduals(nodalVelocity_);
 }
 
@@ -141,7 +157,7 @@ void Foam::fsi::viscousCoupling::setMatrix
 )
 {
     matrix_.set(UEqn, change);
-    links_.set(system_.geometry.wallLinks(), system_.viscosity);
+    links_.set(geometry_.wallLinks(), fluid_.viscosity);
 }
 
 

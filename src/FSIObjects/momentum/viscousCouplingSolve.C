@@ -5,81 +5,39 @@
 #include "linkForces.H"
 #include "openfoamMesh.H"
 #include "shortWaveStress.H"
-#include "sumOverRanks.H"
 #include "solverPerformance.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Stop before the squares of the sweeps' numbers overflow
-static void checkConverges
-(
-    const scalar residual,
-    const label nSweeps,
-    const scalar limit = 1e15
-)
-{
-    if (!(residual < limit))
-    {
-        FatalErrorInFunction
-            << "The velocity's sweeps diverge: residual " << residual
-            << " after " << nSweeps
-            << ". Take a smaller deltaT (Courant number below 1) or"
-            << " adjustTimeStep with maxCo; give very soft bodies a viscosity"
-            << " (material)" << exit(FatalError);
-    }
-}
-
-
-//- Say so if the sweeps ended before the tolerance; stop where zero would have
-//  been a better velocity
-static void checkEnd(const solverPerformance& result)
-{
-    if (!result.converged())
-    {
-        checkConverges(result.finalResidual(), result.nIterations(), 1);
-        WarningInFunction
-            << "The velocity's sweeps did not converge: residual "
-            << result.finalResidual() << " after " << result.nIterations()
-            << " (maxIter in fvSolution). Take a smaller deltaT" << endl;
-    }
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::viscousCoupling::finish
 (
     const volVectorField& U,
-    const fsiSystem::groupNodal& predicted,
-    fsiSystem::groupNodal& velocity,
+    const nodeLayout::groupNodal& predicted,
+    nodeLayout::groupNodal& velocity,
     vectorField& force
 )
 {
-    force.setSize(nodalVelocity_.size());
-    force = Zero;
-    addLinkForce(system_, U, nodalVelocity_, force);
-    linkForce_ = force;
-    sumOverRanks(force);
-    addShortWaveForce(system_, nodalVelocity_, force);
+    linkForce_.reset(nodalVelocity_.size());
+    addLinkForce
+    (
+        geometry_, fluid_.dynamicViscosity(), U, nodalVelocity_, linkForce_
+    );
+    force = partialForces(linkForce_).collect();
+    addShortWaveForce
+    (
+        bodies_, fluid_, geometry_.grid().thickness(), nodalVelocity_, force
+    );
     force += strainForce_;
     addTransposedForce
     (
         transposed_,
-        system_.objects.surfaces().pointStart(),
+        bodies_.surfaces().pointStart(),
         nodalVelocity_,
         force
     );
 
     velocity = predicted;
-    system_.objects.layout().toGroups(force, groupForce_);
+    bodies_.layout().toGroups(force, groupForce_);
     forAll(velocity, groupi)
     {
         if (responses_[groupi])
@@ -97,11 +55,11 @@ void Foam::fsi::viscousCoupling::finish
 void Foam::fsi::viscousCoupling::sweep
 (
     solverPerformance& result,
-    fsiSystem::groupNodal& v
+    nodeLayout::groupNodal& v
 )
 {
     const dictionary& controls =
-        solverControls(system_.grid.mesh(), result.fieldName());
+        solverControls(geometry_.grid().mesh(), result.fieldName());
     const label maxIter = readAtLeast(controls, "maxIter", 1000, 1);
     const scalar tolerance =
         controls.lookupOrDefault<scalar>("tolerance", 1e-7);
@@ -125,7 +83,10 @@ void Foam::fsi::viscousCoupling::sweep
         {
             result.initialResidual() = result.finalResidual();
         }
-        checkConverges(result.finalResidual(), result.nIterations());
+        overRelaxation::checkConverges
+        (
+            result.finalResidual(), result.nIterations()
+        );
         overRelax(v);
         moveWalls(v);
         relaxation_.observe(result.finalResidual());
@@ -144,23 +105,24 @@ void Foam::fsi::viscousCoupling::solve
 (
     fvVectorMatrix& UEqn,
     volVectorField& U,
+    const stepLength& step,
     const expectedChange& change,
-    const fsiSystem::groupNodal& predicted,
-    fsiSystem::groupNodal& velocity,
+    const nodeLayout::groupNodal& predicted,
+    nodeLayout::groupNodal& velocity,
     vectorField& force
 )
 {
     solverPerformance result("fsiSOR", U.name());
 
-    updateResponses(predicted);
+    updateResponses(step, predicted);
     setMatrix(UEqn, change);
-    fsiSystem::groupNodal boundary
+    nodeLayout::groupNodal boundary
     (
-        system_.objects.layout().boundaryOf(predicted)
+        bodies_.layout().boundaryOf(predicted)
     );
     nodeVelocity(boundary);
     sweep(result, boundary);
-    system_.log->solved(result);
+    log_.solved(result);
     // All components are swept together
     keepResiduals
     (
@@ -175,7 +137,7 @@ void Foam::fsi::viscousCoupling::solve
             result.converged()
         )
     );
-    checkEnd(result);
+    overRelaxation::checkEnd(result);
 
     matrix_.get(U.primitiveFieldRef());
     U.correctBoundaryConditions();
@@ -189,9 +151,13 @@ void Foam::fsi::viscousCoupling::linkForceBeyond
     vectorField& force
 ) const
 {
-    force = -linkForce_;
-    addLinkForce(system_, U, nodalVelocity_, force);
-    sumOverRanks(force);
+    partialForces beyond;
+    beyond.mine() = -linkForce_.mine();
+    addLinkForce
+    (
+        geometry_, fluid_.dynamicViscosity(), U, nodalVelocity_, beyond
+    );
+    force = beyond.collect();
 }
 
 
@@ -226,7 +192,7 @@ Foam::FixedList<Foam::scalar, 2> Foam::fsi::viscousCoupling::addResponse
             matrix_.startCorrection(norm);
         }
         const scalar residual = matrix_.sweep(1);
-        checkConverges(residual, nSweeps);
+        overRelaxation::checkConverges(residual, nSweeps);
         if (sqr(residual) <= tolerance*before)
         {
             break;
@@ -237,7 +203,7 @@ Foam::FixedList<Foam::scalar, 2> Foam::fsi::viscousCoupling::addResponse
     (
         matrix_.addTo
         (
-            system_.geometry.fluidCell(),
+            geometry_.fluidCell(),
             source,
             factor,
             U.primitiveFieldRef()

@@ -104,10 +104,18 @@ void Foam::fsi::stateChecks::checkIds
 void Foam::fsi::stateChecks::checkMesh
 (
     const population& objects,
+    const direction nDims,
     const boundBox& bounds,
     const scalar thickness
 )
 {
+    if (objects.nDims() != nDims)
+    {
+        FatalErrorInFunction
+            << "The objects have " << label(objects.nDims())
+            << " dimensions but the mesh has " << label(nDims)
+            << "; run seedObjects on this mesh" << exit(FatalError);
+    }
     const bool planar = objects.nDims() == 2;
     if
     (

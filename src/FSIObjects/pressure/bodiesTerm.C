@@ -4,9 +4,16 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::bodiesTerm::bodiesTerm(const fsiSystem& system)
+Foam::fsi::bodiesTerm::bodiesTerm
+(
+    const population& bodies,
+    const wallOperator& walls,
+    const scalar density
+)
 :
-    system_(system)
+    bodies_(bodies),
+    walls_(walls),
+    density_(density)
 {}
 
 
@@ -18,9 +25,9 @@ void Foam::fsi::bodiesTerm::velocity
     vectorField& v
 ) const
 {
-    system_.walls.transposeAtWalls(p, nodal_);
-    nodal_ *= system_.fluidDensity;
-    system_.objects.layout().toBoundary(nodal_, force_);
+    walls_.transposeAtWalls(p, nodal_);
+    nodal_ *= density_;
+    bodies_.layout().toBoundary(nodal_, force_);
 
     velocity_.setSize(force_.size());
     forAll(force_, groupi)
@@ -28,7 +35,7 @@ void Foam::fsi::bodiesTerm::velocity
         velocity_[groupi].resize(force_[groupi].rows(), force_[groupi].cols());
         respond(groupi, force_[groupi], velocity_[groupi]);
     }
-    system_.objects.layout().toSurface(velocity_, v);
+    bodies_.layout().toSurface(velocity_, v);
 }
 
 
@@ -41,7 +48,7 @@ void Foam::fsi::bodiesTerm::add
     // J' is +1 outward of the lower cell, and p pushes the nodes outward of
     // the fluid with the same sign: the term is positive semi-definite
     velocity(x, nodal_);
-    system_.walls.addFluxAtWalls(nodal_, Ax);
+    walls_.addFluxAtWalls(nodal_, Ax);
 }
 
 

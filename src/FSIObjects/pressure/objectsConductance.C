@@ -10,9 +10,9 @@
 
 Foam::labelList Foam::fsi::objectsConductance::inside() const
 {
-    const boolList& active = system_.geometry.activeCell();
-    const labelList& nearest = system_.levelSet->object();
-    const labelList& place = system_.grid.haloIndex();
+    const boolList& active = geometry_.activeCell();
+    const labelList& nearest = objects_.levelSet().object();
+    const labelList& place = objects_.grid().haloIndex();
 
     labelList result(active.size(), label(fluid));
     forAll(result, celli)
@@ -20,9 +20,9 @@ Foam::labelList Foam::fsi::objectsConductance::inside() const
         if (!active[celli])
         {
             const label o = nearest[place[celli]];
-            const label objecti = o < 0 ? o : system_.surfaces().original(o);
+            const label objecti = o < 0 ? o : objects_.surfaces().original(o);
             result[celli] =
-                objecti >= 0 && system_.objects.movesFreely(objecti)
+                objecti >= 0 && bodies_.movesFreely(objecti)
               ? objecti
               : label(insulator);
         }
@@ -34,21 +34,21 @@ Foam::labelList Foam::fsi::objectsConductance::inside() const
 Foam::scalarField Foam::fsi::objectsConductance::interiorFactor() const
 {
     using constant::mathematical::pi;
-    const cartesianMesh& grid = system_.grid;
+    const cartesianMesh& grid = objects_.grid();
     const scalar h = grid.spacing();
 
-    scalarField factor(system_.objects.size(), Zero);
+    scalarField factor(bodies_.size(), Zero);
     forAll(factor, objecti)
     {
         const shapeTemplate& shape =
-            system_.objects.shape(system_.objects.objectGroup(objecti));
-        const scalar S = system_.objects.surfaces().surfaceArea(objecti);
+            bodies_.shape(bodies_.objectGroup(objecti));
+        const scalar S = bodies_.surfaces().surfaceArea(objecti);
         const scalar P = grid.nDims() == 2 ? S : std::sqrt(pi*S);
         const scalar reach =
-            system_.stepTime()*std::sqrt(shape.youngsModulus()/shape.density());
+            tau_*std::sqrt(shape.youngsModulus()/shape.density());
         factor[objecti] =
             max(0.56*P*h/sqr(reach + h), 1.0)
-           *min(system_.fluidDensity/shape.density(), 1.0);
+           *min(objects_.fluid().density/shape.density(), 1.0);
     }
     return factor;
 }
@@ -60,9 +60,9 @@ void Foam::fsi::objectsConductance::setInterior
     faceValues& conductance
 ) const
 {
-    const cartesianMesh& grid = system_.grid;
+    const cartesianMesh& grid = objects_.grid();
     const scalar face =
-        system_.stepTime()*grid.faceArea()/grid.spacing();
+        tau_*grid.faceArea()/grid.spacing();
     const label nInternal = grid.mesh().nInternalFaces();
     const scalarField factor(interiorFactor());
     grid.forFaces([&](const label facei)
@@ -84,9 +84,8 @@ void Foam::fsi::objectsConductance::addWalls
     faceValues& conductance
 ) const
 {
-    const UList<wallFace>& faces = system_.geometry.wallFaces();
-    const wallOperator& walls = system_.walls;
-    const label nInternal = system_.grid.mesh().nInternalFaces();
+    const UList<wallFace>& faces = geometry_.wallFaces();
+        const label nInternal = objects_.grid().mesh().nInternalFaces();
 
     // Closed area of each cell at walls towards the inside
     const scalarField d(estimate*diagonal());
@@ -102,8 +101,8 @@ void Foam::fsi::objectsConductance::addWalls
         {
             if (celli >= 0)
             {
-                inner[walls.place(celli)] += reaches[i] ? w.area : 0;
-                all[walls.place(celli)] += w.area;
+                inner[walls_.place(celli)] += reaches[i] ? w.area : 0;
+                all[walls_.place(celli)] += w.area;
             }
         }
     }
@@ -114,12 +113,12 @@ void Foam::fsi::objectsConductance::addWalls
         const wallFace& w = faces[i];
         const bool thin =
             w.lower >= 0 && w.upper >= 0
-         && inner[walls.place(w.lower)] + inner[walls.place(w.upper)] == 0;
+         && inner[walls_.place(w.lower)] + inner[walls_.place(w.upper)] == 0;
         for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0 && (thin || reaches[i]))
             {
-                const label at = walls.place(celli);
+                const label at = walls_.place(celli);
                 scalar& g = conductance.face[w.face];
                 if (g == 0 && w.face < nInternal)
                 {
@@ -134,18 +133,28 @@ void Foam::fsi::objectsConductance::addWalls
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::objectsConductance::objectsConductance(const fsiSystem& system)
+Foam::fsi::objectsConductance::objectsConductance
+(
+    const fsiObjects& objects,
+    const interfaceGeometry& geometry,
+    const wallOperator& walls
+)
 :
-    system_(system)
+    objects_(objects),
+    bodies_(objects.bodies()),
+    geometry_(geometry),
+    walls_(walls),
+    tau_(0)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::fsi::objectsConductance::faceValues
-Foam::fsi::objectsConductance::conductance() const
+Foam::fsi::objectsConductance::conductance(const stepLength& step)
 {
-    const fvMesh& mesh = system_.grid.mesh();
+    tau_ = step.tau;
+    const fvMesh& mesh = objects_.grid().mesh();
     const label nInternal = mesh.nInternalFaces();
     cellObjects objects
     {

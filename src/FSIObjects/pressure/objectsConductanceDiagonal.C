@@ -6,54 +6,54 @@
 
 void Foam::fsi::objectsConductance::rowSums(scalarField& d) const
 {
-    vectorField uniform(system_.walls.uniformForce());
-    fsiSystem::groupNodal force;
-    system_.objects.layout().toBoundary(uniform, force);
+    vectorField uniform(walls_.uniformForce());
+    nodeLayout::groupNodal force;
+    bodies_.layout().toBoundary(uniform, force);
 
-    const scalar dt = system_.stepTime();
+    const scalar dt = tau_;
     forAll(force, groupi)
     {
         Eigen::MatrixXd v;
-        system_.objects.groups()[groupi].response().respondRoughly
+        bodies_.groups()[groupi].response().respondRoughly
         (
             force[groupi],
             v
         );
-        force[groupi] = (dt*system_.fluidDensity)*v;
+        force[groupi] = (dt*objects_.fluid().density)*v;
     }
-    system_.objects.layout().toSurface(force, uniform);
-    system_.walls.addGrossFluxAtWalls(uniform, d);
+    bodies_.layout().toSurface(force, uniform);
+    walls_.addGrossFluxAtWalls(uniform, d);
 }
 
 
 void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
 {
-    const scalar dt = system_.stepTime();
-    const surfaceSet& surfaces = system_.objects.surfaces();
+    const scalar dt = tau_;
+    const surfaceSet& surfaces = bodies_.surfaces();
 
     // dt rho/A_ii per surface node and component
     vectorField mobility(surfaces.points().size(), Zero);
     forAll(surfaces.pointObject(), nodei)
     {
         const label objecti = surfaces.pointObject()[nodei];
-        const label copyi = system_.objects.objectCopy(objecti);
+        const label copyi = bodies_.objectCopy(objecti);
         const bodyGroup& group =
-            system_.objects.groups()[system_.objects.objectGroup(objecti)];
+            bodies_.groups()[bodies_.objectGroup(objecti)];
         const label i = nodei - surfaces.pointStart()[objecti];
         for (direction d = 0; d < group.shape().nDims(); ++d)
         {
             mobility[nodei][d] =
-                dt*system_.fluidDensity
+                dt*objects_.fluid().density
                *group.response().roughMobility(copyi, i, d);
         }
     }
 
-    for (const cellWall& w : system_.geometry.surfaceParts())
+    for (const cellWall& w : geometry_.surfaceParts())
     {
         const vector squares(cmptMultiply(w.area, w.area));
         for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
         {
-            d[system_.walls.place(w.cell)] +=
+            d[walls_.place(w.cell)] +=
                 sqr(w.place.weights[k])
                *(squares & mobility[w.place.nodes[k]]);
         }
@@ -63,7 +63,7 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
 
 Foam::scalarField Foam::fsi::objectsConductance::diagonal() const
 {
-    const label n = system_.walls.cells().size();
+    const label n = walls_.cells().size();
     scalarField rows(n, Zero), d(n, Zero);
     rowSums(rows);
     nodeDiagonal(d);

@@ -47,7 +47,8 @@ static const dictionary& checkedControls(const volScalarField& p)
 void Foam::fsi::objectsPressure::updateMultigrid
 (
     const volScalarField& p,
-    fvScalarMatrix& pEqn
+    fvScalarMatrix& pEqn,
+    const stepLength& step
 )
 {
     if (!multigrid_.valid())
@@ -61,7 +62,7 @@ void Foam::fsi::objectsPressure::updateMultigrid
 
     // Cells inside the objects conduct in the cycle, not in the equation,
     // whose cells that are not active have a diagonal of exactly zero
-    const objectsConductance::faceValues g(conductance_.conductance());
+    const objectsConductance::faceValues g(conductance_.conductance(step));
     scalarField diagonal(pEqn.diag());
     objectsConductance::add(g, 1, pEqn);
     multigrid_->update(pEqn, boundaryCoeffsOf(pEqn), interfaces);
@@ -76,21 +77,27 @@ void Foam::fsi::objectsPressure::updateMultigrid
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::objectsPressure::objectsPressure(const fsiSystem& system)
+Foam::fsi::objectsPressure::objectsPressure
+(
+    fsiObjects& objects,
+    const interfaceGeometry& geometry,
+    const wallOperator& walls
+)
 :
-    system_(system),
-    conductance_(system),
+    geometry_(geometry),
+    log_(objects.log()),
+    conductance_(objects, geometry, walls),
     rate_
     (
         IOobject
         (
             "pressureRate",
-            nameOf(system.grid.mesh().time()),
-            system.grid.mesh(),
+            nameOf(geometry.grid().mesh().time()),
+            geometry.grid().mesh(),
             IOobject::READ_IF_PRESENT,
             IOobject::AUTO_WRITE
         ),
-        system.grid.mesh(),
+        geometry.grid().mesh(),
         dimensionedScalar(sqr(dimVelocity)/dimTime, Zero)
     )
 {}
@@ -100,8 +107,8 @@ Foam::fsi::objectsPressure::objectsPressure(const fsiSystem& system)
 
 void Foam::fsi::objectsPressure::beginStep(volScalarField& p)
 {
-    const boolList& active = system_.geometry.activeCell();
-    const scalar dt = system_.deltaT();
+    const boolList& active = geometry_.activeCell();
+    const scalar dt = p.time().deltaTValue();
     const scalar level =
         p.needReference() ? activeMean(rate_.primitiveField(), active) : 0;
     forAll(active, celli)
@@ -115,7 +122,7 @@ void Foam::fsi::objectsPressure::beginStep(volScalarField& p)
 
 void Foam::fsi::objectsPressure::endStep(const volScalarField& p)
 {
-    const scalar dt = system_.deltaT();
+    const scalar dt = p.time().deltaTValue();
     forAll(p, celli)
     {
         rate_[celli] = (p[celli] - rate_[celli])/dt;
@@ -129,12 +136,13 @@ void Foam::fsi::objectsPressure::solve
     fvScalarMatrix& pEqn,
     scalarField& b,
     const addedTerm& term,
-    const scalarField& inside
+    const scalarField& inside,
+    const stepLength& step
 )
 {
-    const boolList& active = system_.geometry.activeCell();
+    const boolList& active = geometry_.activeCell();
     addPatchParts(active, p, pEqn, b);
-    updateMultigrid(p, pEqn);
+    updateMultigrid(p, pEqn, step);
 
     const dictionary& controls = solverControls(p.mesh(), p.name());
     cartesianMultigrid::loopControls loop;
@@ -145,7 +153,7 @@ void Foam::fsi::objectsPressure::solve
     (
         p.primitiveFieldRef(), b, p.name(), loop, &term
     );
-    system_.log->solved(performance);
+    log_.solved(performance);
     keepResiduals(p.mesh(), performance);
 
     // Inside the objects nothing is solved for

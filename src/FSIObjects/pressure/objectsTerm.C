@@ -11,7 +11,7 @@ void Foam::fsi::objectsTerm::respond
     Eigen::MatrixXd& velocity
 ) const
 {
-    system_.objects.groups()[groupi].response().respondBoundary
+    bodies_.groups()[groupi].response().respondBoundary
     (
         force,
         velocity

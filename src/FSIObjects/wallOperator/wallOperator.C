@@ -2,7 +2,7 @@
 
 #include "wallOperator.H"
 #include "fetchAhead.H"
-#include "sumOverRanks.H"
+#include "partialForces.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -140,21 +140,18 @@ void Foam::fsi::wallOperator::setOutside
     vectorField& force
 )
 {
-    force.setSize(nNodes_);
-    force = Zero;
-    vectorField cut(nNodes_, Zero);
+    partialForces load(nNodes_), cut(nNodes_);
     forAll(cutNodes_, i)
     {
         const fvPatchScalarField& pp = p.boundaryField()[cutPatches_[i]];
         if (pp.fixesValue())
         {
-            cut[cutNodes_[i]] -= cutAreas_[i];
-            force[cutNodes_[i]] -= pp[cutFaces_[i]]*cutAreas_[i];
+            cut.mine()[cutNodes_[i]] -= cutAreas_[i];
+            load.mine()[cutNodes_[i]] -= pp[cutFaces_[i]]*cutAreas_[i];
         }
     }
-    sumOverRanks(cut);
-    sumOverRanks(force);
-    uniformForce_ += cut;
+    uniformForce_ += cut.collect();
+    force = load.collect();
 }
 
 
@@ -208,15 +205,15 @@ void Foam::fsi::wallOperator::gradientForce
         }
     }
 
-    f.setSize(nNodes_);
-    f = Zero;
+    partialForces part(nNodes_);
+    vectorField& mine = part.mine();
     const scalarField& V = geometry_.grid().mesh().V();
     forAll(faces, i)
     {
         const wallFace& later = fetchedAhead(faces, i);
         fetchAhead(g[max(later.lower, 0)]);
         fetchAhead(g[max(later.upper, 0)]);
-        fetchAhead(f[later.place.nodes[0]]);
+        fetchAhead(mine[later.place.nodes[0]]);
 
         const wallFace& w = faces[i];
         for (const label celli : {w.lower, w.upper})
@@ -225,15 +222,15 @@ void Foam::fsi::wallOperator::gradientForce
             {
                 continue;
             }
-            w.place.spread(f, w.dir, 0.5*h*w.area*g[celli][w.dir]);
+            w.place.spread(mine, w.dir, 0.5*h*w.area*g[celli][w.dir]);
             if (!fluid[celli])
             {
-                const scalar part = w.area/closed[place_[celli]];
-                w.place.spread(f, -part*V[celli]*g[celli]);
+                const scalar share = w.area/closed[place_[celli]];
+                w.place.spread(mine, -share*V[celli]*g[celli]);
             }
         }
     }
-    sumOverRanks(f);
+    f.transfer(part.collect());
 }
 
 

@@ -3,7 +3,6 @@
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
 #include "massPoints.H"
-#include "newShapeMesh.H"
 #include "springNetwork.H"
 #include "stepMatrix.H"
 
@@ -22,25 +21,6 @@ static autoPtr<membraneMaterial> newMembrane(const dictionary& material)
         membraneMaterial::chosen(material)
       ? new membraneMaterial(material)
       : nullptr
-    );
-}
-
-
-//- Mesh of the shape named in the dictionary
-static shapeMesh newMesh
-(
-    const dictionary& dict,
-    const scalar nodeSpacing,
-    const direction nDims
-)
-{
-    return newShapeMesh
-    (
-        dict.subDict("shape"),
-        nDims,
-        nodeSpacing,
-        meshGrading(dict.subOrEmptyDict("mesh")),
-        true
     );
 }
 
@@ -126,28 +106,6 @@ Foam::fsi::shapeTemplate::shapeTemplate
 )
 :
     shapeTemplate(name, dict, mesh, nodeSpacing, thickness, nDims, true)
-{}
-
-
-Foam::fsi::shapeTemplate::shapeTemplate
-(
-    const word& name,
-    const dictionary& dict,
-    const scalar nodeSpacing,
-    const scalar thickness,
-    const direction nDims
-)
-:
-    shapeTemplate
-    (
-        name,
-        dict,
-        newMesh(dict, nodeSpacing, nDims),
-        nodeSpacing,
-        thickness,
-        nDims,
-        true
-    )
 {}
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "levelSetTables.H"
-#include "reinitialisationCases.H"
+#include "marching/reinitialisationCases.H"
 
 #include <cstdio>
 

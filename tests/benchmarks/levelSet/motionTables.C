@@ -2,7 +2,7 @@
 
 #include "levelSetTables.H"
 #include "alignmentCases.H"
-#include "referenceFlows.H"
+#include "marching/referenceFlows.H"
 
 #include <cstdio>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "solidTables.H"
-#include "solidLoads.H"
+#include "samples/solidLoads.H"
 
 #include <cstdio>
 

@@ -22,7 +22,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "admmSolver.H"
-#include "samples.H"
+#include "samples/samples.H"
 #include "solidTables.H"
 #include "SortableList.H"
 

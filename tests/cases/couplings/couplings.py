@@ -61,7 +61,7 @@ def main(folder):
         case = fsiCase.Case(
             os.path.join(folder, name), shapes=SHAPES.format(density, modulus),
             placements=PLACEMENTS.format(other),
-            properties=f"coupling {{ type {name}; }}\n"
+            properties=fsiCase.THESIS + f"coupling {{ type {name}; }}\n"
                        "output { objectsEvery 1; }\n",
             deltaT=0.002, endTime=0.1, writeInterval=50).set_up()
         case.run("fsiPisoFoam")

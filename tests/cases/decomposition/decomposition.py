@@ -102,8 +102,8 @@ def cavity(folder, name, properties, **controls):
 
 def check_weak(report, folder):
     """One reference cell, not one per rank."""
-    weak = {"properties": "coupling { type weak; }\n", "endTime": 0.1,
-            "writeInterval": 0.1}
+    weak = {"properties": fsiCase.THESIS + "coupling { type weak; }\n",
+            "endTime": 0.1, "writeInterval": 0.1}
     one = cavity(folder, "weak", **weak)
     one.run("fsiPisoFoam")
     two = on_two_ranks(cavity(folder, "weak-ranks", **weak))

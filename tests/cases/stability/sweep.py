@@ -58,12 +58,14 @@ UNSTABLE = (0.5, 1e6, 1, 1)
 # Couplings of the table: entries of fsiProperties
 COUPLINGS = {
     "`solidImplicit`, open areas": "",
-    "`solidImplicit`, voxel wall": "wall voxel;",
-    "`weak`, `wallForce`, open areas": "coupling { type weak; }",
+    "`solidImplicit`, voxel wall": fsiCase.THESIS + "wall voxel;",
+    "`weak`, `wallForce`, open areas":
+        fsiCase.THESIS + "coupling { type weak; }",
     "`weak`, `nearestCell`, voxel wall":
-        "wall voxel; coupling { type weak; load nearestCell; }",
+        fsiCase.THESIS
+        + "wall voxel; coupling { type weak; load nearestCell; }",
     "`weak`, `wallForce`, at most 20 Aitken sub-iterations":
-        "coupling { type weak; subIterations 20; }",
+        fsiCase.THESIS + "coupling { type weak; subIterations 20; }",
 }
 
 
@@ -184,7 +186,8 @@ def main(folder):
 
     report.attempt("softest bodies", lambda: check_softest(report, folder))
     report.check("weak coupling is seen to be unstable",
-                 not stable(folder, UNSTABLE, "coupling { type weak; }",
+                 not stable(folder, UNSTABLE,
+                            fsiCase.THESIS + "coupling { type weak; }",
                             STEPS),
                  "it stays within the bounds")
 

@@ -123,7 +123,8 @@ def disc(folder, name, material, scheme, n, every=None, coupling=""):
                f"material {{ density 1; {material} }} }}",
         placements="all { type listed; shape disc; "
                    "objects ({ centre (0.5 0.35 0); }); }",
-        properties="drivingForce { type acceleration; "
+        properties=fsiCase.THESIS
+                   + "drivingForce { type acceleration; "
                    "acceleration (12 0 0); } contact { range 1; } coupling { "
                    + (coupling or "type solidImplicit; passes 30; "
                       "passTolerance 1e-7;") + " }",

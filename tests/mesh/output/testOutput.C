@@ -5,7 +5,7 @@
 #include <sstream>
 #include <thread>
 
-#include "../population/someObjects.H"
+#include "population/someObjects.H"
 #include "OSspecific.H"
 #include "IStringStream.H"
 #include "OStringStream.H"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../boxMesh.H"
+#include "boxMesh.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
 #include "runLog.H"

@@ -5,9 +5,11 @@
 #include "randomNumbers.H"
 #include "IStringStream.H"
 #include "OStringStream.H"
+#include "../../unit/samples/newShapeTemplate.H"
 
 using namespace Foam;
 using Foam::fsi::population;
+using Foam::fsi::newShapeTemplate;
 using Foam::fsi::shapeTemplate;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -22,7 +24,10 @@ label addShape(population& objects, const word& name, const std::string& text)
     (
         autoPtr<shapeTemplate>
         (
-            new shapeTemplate(name, someObjects::dict(text), 0.4, 1, 2)
+            newShapeTemplate
+            (
+                name, someObjects::dict(text), 0.4, 1, 2
+            ).release()
         ),
         someObjects::dict("type free;")
     );

@@ -11,7 +11,7 @@ using Foam::fsi::population;
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-// A hundred thousand take seconds, one after the other they took an hour
+// One after the other they took a time that grew with the square of the number
 TEST(Population, manyObjectsAreAddedAndFoundInAShortTime)
 {
     boxMesh box(labelVector(8, 8, 1), 2);

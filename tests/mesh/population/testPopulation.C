@@ -6,6 +6,7 @@
 #include "someObjects.H"
 #include "PstreamReduceOps.H"
 #include "needsThrownErrors.H"
+#include "../../unit/samples/newShapeTemplate.H"
 
 using namespace Foam;
 using Foam::fsi::boxMesh;
@@ -58,7 +59,7 @@ void testRoundTrip(const word& writeFormat)
     const autoPtr<Time> time = someObjects::makeTime(box, writeFormat);
     autoPtr<population> written = someObjects::make(time());
     someObjects::deform(*written);
-    written->remove(1);
+    written->remove(labelList(1, label(1)));
     written->writeShapes();
     written->write();
     label ready = 1;
@@ -251,7 +252,7 @@ TEST(Population, refusesTwoShapesOfOneName)
     autoPtr<population> objects = someObjects::make(box.time());
     autoPtr<fsi::shapeTemplate> again
     (
-        new fsi::shapeTemplate
+        fsi::newShapeTemplate
         (
             "disc",
             someObjects::dict
@@ -260,7 +261,7 @@ TEST(Population, refusesTwoShapesOfOneName)
                 "material { density 2; E 10; }"
             ),
             0.4, 1, 2
-        )
+        ).release()
     );
     EXPECT_NE
     (

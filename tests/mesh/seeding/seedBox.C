@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "seedBox.H"
-#include "../population/someObjects.H"
-#include "../../unit/levelSet/testSurfaces.H"
+#include "population/someObjects.H"
+#include "../../unit/samples/surfaceSamples.H"
 #include "placement.H"
 #include "unitConversion.H"
 

@@ -4,6 +4,7 @@
 #include "openfoamVersion.H"
 #include "OStringStream.H"
 #include "error.H"
+#include "samples/newShapeTemplate.H"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ namespace
 std::unique_ptr<shapeTemplate> softShape(const string& material)
 {
     const bool membrane = material.find("membrane") != string::npos;
-    return std::make_unique<shapeTemplate>
+    return newShapeTemplate
     (
         "disc",
         dictionaryOf

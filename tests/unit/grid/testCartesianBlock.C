@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "blockInterpolation.H"
-#include "../levelSet/testSurfaces.H"
+#include "samples/surfaceSamples.H"
 
 #include <cmath>
 #include <limits>

@@ -5,7 +5,7 @@
 #include "periodicImages.H"
 #include "sampleRanges.H"
 #include "surfaceDistance.H"
-#include "testSurfaces.H"
+#include "samples/surfaceSamples.H"
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "surfaceDistance.H"
-#include "testSurfaces.H"
+#include "samples/surfaceSamples.H"
 
 #include <limits>
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "surfacePredicates.H"
-#include "../levelSet/testSurfaces.H"
+#include "samples/surfaceSamples.H"
 #include "openfoamVersion.H"
 
 using namespace Foam;

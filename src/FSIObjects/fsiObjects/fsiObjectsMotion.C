@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fsiObjects.H"
+#include "timeRule.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::fsiObjects::updateSurfaces()
+{
+    if (images_.cyclic())
+    {
+        bodies_.wrap(images_);
+    }
+    bodies_.updateSurfaces();
+
+    // Samples lie up to one cell outside the domain
+    const scalar reach = levelSet_->bandWidth() + grid_.spacing();
+    surfaces_ = &images_.update(bodies_.surfaces(), reach);
+}
+
+
+void Foam::fsi::fsiObjects::renew()
+{
+    updateSurfaces();
+    levelSet_->initialise(surfaces());
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::fsiObjects::feed()
+{
+    const stepTimer::section solids(timer_, stepTimer::part::solids);
+    const bool changed = boundaries_.update(mesh_.time().value() - deltaT());
+    if (changed)
+    {
+        const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
+        renew();
+    }
+    return changed;
+}
+
+
+void Foam::fsi::fsiObjects::drive(const volVectorField& U)
+{
+    const stepTimer::section solids(timer_, stepTimer::part::solids);
+    driving_->update(U, bodies_, fluid_.density);
+    if (log_.full())
+    {
+        driving_->log(Info);
+    }
+}
+
+
+void Foam::fsi::fsiObjects::expect(const timeRule& rule)
+{
+    const stepTimer::section solids(timer_, stepTimer::part::solids);
+    if (bodies_.size() && !levelSet_->secondOrder())
+    {
+        FatalIOErrorInFunction(properties_)
+            << "Level set " << levelSet_->type() << " is of first order in"
+            << " time: take Euler for ddtSchemes, or the level set rebuilt"
+            << exit(FatalIOError);
+    }
+    contact_.keepStart();
+    for (bodyGroup& group : bodies_.groups())
+    {
+        group.begin(mesh_.time().value(), deltaT(), rule.ratio());
+    }
+    updateSurfaces();
+}
+
+
+Foam::vector Foam::fsi::fsiObjects::bodyAcceleration
+(
+    const label groupi,
+    const vector& gravity,
+    const vector& driving
+) const
+{
+    const scalar lighter = fluid_.density/bodies_.shape(groupi).density();
+    return (1 - lighter)*gravity + lighter*driving;
+}
+
+
+Foam::fsi::fsiObjects::groupNodal Foam::fsi::fsiObjects::forces
+(
+    const stepLength& step
+)
+{
+    const stepTimer::section solids(timer_, stepTimer::part::solids);
+    groupNodal force;
+    bodies_.layout().zero(force);
+    forAll(force, groupi)
+    {
+        bodyGroup& group = bodies_.groups()[groupi];
+        const vector a
+        (
+            bodyAcceleration(groupi, gravity_, driving_->acceleration())
+        );
+        Eigen::MatrixXd& f = force[groupi];
+        for (Eigen::Index column = 0; column < f.cols(); ++column)
+        {
+            const scalar ai = a[direction(column % grid_.nDims())];
+            for (Eigen::Index nodei = 0; nodei < f.rows(); ++nodei)
+            {
+                f(nodei, column) += group.shape().nodeMasses()[nodei]*ai;
+            }
+        }
+        group.prepareResponse(step.tau);
+    }
+    const stepTimer::section contact(timer_, stepTimer::part::contact);
+    contact_.addForce(force, step);
+    return force;
+}
+
+
+void Foam::fsi::fsiObjects::constrain
+(
+    nodeVelocities& v,
+    const stepLength& step
+) const
+{
+    groupNodal& velocities = v.change();
+    forAll(velocities, groupi)
+    {
+        bodies_.groups()[groupi].constrain(step.tau, velocities[groupi]);
+    }
+}
+
+
+void Foam::fsi::fsiObjects::push(nodeVelocities& v, const stepLength& step)
+{
+    const stepTimer::section contact(timer_, stepTimer::part::contact);
+    contact_.push(v, step);
+}
+
+
+void Foam::fsi::fsiObjects::limit(nodeVelocities& v, const stepLength& step)
+{
+    const stepTimer::section contact(timer_, stepTimer::part::contact);
+    contact_.limit(v, step);
+}
+
+
+void Foam::fsi::fsiObjects::move(const groupNodal& v, const stepLength& step)
+{
+    {
+        const stepTimer::section solids(timer_, stepTimer::part::solids);
+        forAll(v, groupi)
+        {
+            bodies_.groups()[groupi].move(step.tau, v[groupi]);
+        }
+        updateSurfaces();
+        checkMotion();
+    }
+    const stepTimer::section contact(timer_, stepTimer::part::contact);
+    contact_.measure();
+}
+
+
+void Foam::fsi::fsiObjects::moveLevelSet()
+{
+    const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
+    levelSet_->move(surfaces(), deltaT());
+}
+
+
+// ************************************************************************* //

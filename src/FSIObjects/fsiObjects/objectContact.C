@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectContact.H"
+#include "errorOf.H"
+#include "openfoamVersion.H"
+#include "sumOverRanks.H"
+#include "writtenDictionary.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::objectContact::leastModulus
+(
+    const population& bodies,
+    const cartesianMesh& grid
+)
+{
+    const PtrList<bodyGroup>& groups = bodies.groups();
+    // A step of zero is refused later, with its entry
+    const scalar deltaT = grid.mesh().time().deltaTValue();
+    const scalar speed = grid.spacing()/max(deltaT, SMALL);
+    scalar least = GREAT, leastFree = GREAT;
+    for (const bodyGroup& group : groups)
+    {
+        const shapeTemplate& shape = group.shape();
+        const scalar modulus =
+            shape.rigid()
+          ? shape.density()*sqr(speed)
+          : shape.youngsModulus();
+        least = min(least, modulus);
+        if (group.movesFreely())
+        {
+            leastFree = min(leastFree, modulus);
+        }
+    }
+    if (leastFree < GREAT)
+    {
+        return leastFree;
+    }
+    // Without shapes nothing touches, and any value will do
+    return groups.empty() ? 1 : least;
+}
+
+
+void Foam::fsi::objectContact::findAxis()
+{
+    if (!axis_.valid())
+    {
+        axis_.reset
+        (
+            new medialAxis(contact_.range(), grid_.spacing())
+        );
+    }
+    axis_->update(surfaces(), grid_.cells(1));
+
+    pointField myPositions;
+    scalarList myDistances;
+    labelList myObjects;
+    for (const medialAxisPoint& p : axis_->points())
+    {
+        myPositions.append(p.position);
+        myDistances.append(p.distance);
+        myObjects.append(p.object[0]);
+        myObjects.append(p.object[1]);
+    }
+    const List<pointField> positions(gatherOverRanks(myPositions));
+    const List<scalarList> distances(gatherOverRanks(myDistances));
+    const List<labelList> objects(gatherOverRanks(myObjects));
+
+    axisPoints_.clear();
+    forAll(positions, ranki)
+    {
+        forAll(positions[ranki], i)
+        {
+            medialAxisPoint p;
+            p.position = positions[ranki][i];
+            p.distance = distances[ranki][i];
+            p.object[0] = objects[ranki][2*i];
+            p.object[1] = objects[ranki][2*i + 1];
+            axisPoints_.append(p);
+        }
+    }
+}
+
+
+void Foam::fsi::objectContact::prepareSearch()
+{
+    if
+    (
+        contact_.needsMedialAxis()
+     && !contact_.searched(surfaces())
+    )
+    {
+        findAxis();
+    }
+}
+
+
+void Foam::fsi::objectContact::setNodes()
+{
+    nodes_.reset(surfaces());
+    for (label objecti = 0; objecti < bodies_.size(); ++objecti)
+    {
+        nodes_.setId(objecti, bodies_.objectId(objecti));
+    }
+
+    groups_.resize(bodies_.groups().size());
+    forAll(bodies_.groups(), groupi)
+    {
+        const bodyGroup& group = bodies_.groups()[groupi];
+        if (!groups_[groupi])
+        {
+            groups_[groupi] = std::make_unique<groupContact>(group);
+        }
+        groups_[groupi]->setNodes(surfaces(), objectsOf(groupi), nodes_);
+    }
+}
+
+
+void Foam::fsi::objectContact::setRanges()
+{
+    scalarField& ranges = contact_.ranges();
+    ranges.setSize(bodies_.size());
+    forAll(ranges, objecti)
+    {
+        const label id = bodies_.objectId(objecti);
+        ranges[objecti] =
+            !bodies_.movesFreely(objecti) ? contact_.range()
+          : id >= nextObjectId_ ? 0
+          : valueOr(shortRanges_, id, contact_.range());
+    }
+}
+
+
+void Foam::fsi::objectContact::keepRanges()
+{
+    const scalarField& ranges = contact_.ranges();
+    shortRanges_.clear();
+    forAll(ranges, objecti)
+    {
+        if (ranges[objecti] < contact_.range())
+        {
+            shortRanges_.insert
+            (
+                bodies_.objectId(objecti), ranges[objecti]
+            );
+        }
+    }
+    nextObjectId_ = bodies_.nextObjectId();
+}
+
+
+void Foam::fsi::objectContact::setBodies()
+{
+    setNodes();
+    forAll(groups_, groupi)
+    {
+        groups_[groupi]->setResponse
+        (
+            surfaces(),
+            objectsOf(groupi),
+            contact_.needsInternalForces(),
+            nodes_
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::objectContact::objectContact
+(
+    population& bodies,
+    const cartesianMesh& grid,
+    const domainSides& sides,
+    const dictionary& dict,
+    const scalar viscosity
+)
+:
+    bodies_(bodies),
+    grid_(grid),
+    contact_
+    (
+        dict,
+        grid.nDims(),
+        grid.spacing(),
+        leastModulus(bodies, grid),
+        viscosity,
+        sides.images()
+    ),
+    walls_(sides.walls()),
+    nextObjectId_(0),
+    nLimited_(0)
+{
+    const dictionary state(readState(grid.mesh().time(), "fsiContact"));
+    nextObjectId_ = readEntryOr<label>(state, "nextObjectId", nextObjectId_);
+    state.readIfPresent("ranges", shortRanges_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::objectContact::calculate
+(
+    const vectorField& velocities,
+    const stepLength& step
+)
+{
+    setBodies();
+    setRanges();
+    prepareSearch();
+    contact_.calculate
+    (
+        surfaces(),
+        velocities,
+        nodes_,
+        walls_,
+        axisPoints_,
+        step.tau,
+        force_,
+        1 - step.tau/step.dt
+    );
+    keepRanges();
+}
+
+
+void Foam::fsi::objectContact::measure()
+{
+    start_.clear();
+    setNodes();
+    setRanges();
+    prepareSearch();
+    contact_.measure
+    (
+        surfaces(), nodes_, walls_, axisPoints_
+    );
+    keepRanges();
+}
+
+
+void Foam::fsi::objectContact::addForce
+(
+    nodeLayout::groupNodal& force,
+    const stepLength& step
+)
+{
+    if (explicitForces())
+    {
+        calculate(surfaces().velocities(), step);
+        nodeLayout::groupNodal contactForce;
+        bodies_.layout().toGroups(force_, contactForce);
+        forAll(force, groupi)
+        {
+            force[groupi] += contactForce[groupi];
+        }
+    }
+}
+
+
+void Foam::fsi::objectContact::write() const
+{
+    const Time& time = grid_.mesh().time();
+    writeFile
+    (
+        time, nameOf(time), "uniform", "fsiContact", IOstream::ASCII,
+        [&](Ostream& os)
+        {
+            putEntry(os, "nextObjectId", nextObjectId_);
+            putEntry(os, "ranges", shortRanges_);
+        }
+    );
+}
+
+
+// ************************************************************************* //

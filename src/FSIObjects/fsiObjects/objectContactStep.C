@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectContact.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::tmp<Foam::vectorField> Foam::fsi::objectContact::lessStandstill
+(
+    const vectorField& v,
+    const stepLength& step
+) const
+{
+    if (!start_.valid())
+    {
+        return tmp<vectorField>(v);
+    }
+    const PtrList<bodyGroup>& groups = bodies_.groups();
+    nodeLayout::groupNodal standstill(groups.size());
+    forAll(groups, groupi)
+    {
+        standstill[groupi] = groups[groupi].standstill(step.tau);
+    }
+    vectorField nodal(v.size(), Zero);
+    bodies_.layout().toSurface(standstill, nodal);
+    return v - nodal;
+}
+
+
+void Foam::fsi::objectContact::respond(nodeVelocities& v) const
+{
+    nodeLayout::groupNodal force;
+    bodies_.layout().toGroups(force_, force);
+    nodeLayout::groupNodal& velocities = v.change();
+    forAll(velocities, groupi)
+    {
+        Eigen::MatrixXd change;
+        bodies_.groups()[groupi].response().respond
+        (
+            force[groupi], change
+        );
+        velocities[groupi] += change;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::objectContact::keepStart()
+{
+    start_.reset(new surfaceSet(bodies_.surfaces()));
+}
+
+
+void Foam::fsi::objectContact::push
+(
+    nodeVelocities& v,
+    const stepLength& step
+)
+{
+    if (!explicitForces())
+    {
+        calculate(lessStandstill(v.surface(), step), step);
+        respond(v);
+    }
+}
+
+
+void Foam::fsi::objectContact::limit
+(
+    nodeVelocities& v,
+    const stepLength& step
+)
+{
+    nLimited_ = contact_.limit
+    (
+        surfaces(),
+        lessStandstill(v.surface(), step),
+        nodes_,
+        walls_,
+        step.tau,
+        force_
+    );
+    if (nLimited_ > 0)
+    {
+        respond(v);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fluidStep.H"
+#include "fieldChecks.H"
+#include "newCells.H"
+#include "outflowBalance.H"
+#include "solidVelocity.H"
+#include "stockInput.H"
+#include "fvMatrices.H"
+
+// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Exchange the values of two fields without a copy of those inside
+static void exchange(surfaceScalarField& a, surfaceScalarField& b)
+{
+    scalarField& ofA = a.primitiveFieldRef();
+    scalarField& ofB = b.primitiveFieldRef();
+    scalarField kept;
+    kept.transfer(ofA);
+    ofA.transfer(ofB);
+    ofB.transfer(kept);
+    forAll(a.boundaryField(), patchi)
+    {
+        scalarField& patchOfA = a.boundaryFieldRef()[patchi];
+        scalarField& patchOfB = b.boundaryFieldRef()[patchi];
+        const scalarField last(patchOfA);
+        patchOfA = patchOfB;
+        patchOfB = last;
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::fluidStep::updateGeometry()
+{
+    geometry_.update(objects_.levelSet(), objects_.surfaces());
+    walls_.update(objects_.bodies().surfaces());
+}
+
+
+void Foam::fsi::fluidStep::setSolidVelocity()
+{
+    fsi::setSolidVelocity
+    (
+        geometry_, objects_.levelSet(), objects_.surfaces(), U_
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::fluidStep::fluidStep
+(
+    fsiObjects& objects,
+    const flowFields& flow
+)
+:
+    fsiStep(objects),
+    p_(flow.p),
+    U_(flow.U),
+    phi_(flow.phi),
+    wall_(wallTreatment::New(objects.properties())),
+    geometry_(objects.grid(), *wall_),
+    walls_(geometry_),
+    faces_(geometry_),
+    rule_(U_.mesh()),
+    gradients_(geometry_),
+    momentum_(geometry_, rule_),
+    flux_(geometry_, faces_, rule_),
+    level_(p_)
+{
+    immersedMomentum::interpolation(phi_);
+    stockInput::checkFluid(U_.mesh());
+    updateGeometry();
+    fieldChecks::check(p_, U_, objects.bodies(), objects.sides(), geometry_);
+    setSolidVelocity();
+    objects.checkWeight();
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+bool Foam::fsi::fluidStep::begin()
+{
+    level_.remove();
+    rule_.begin(U_, phi_);
+    const bool changed = feed();
+    if (changed)
+    {
+        updateGeometry();
+    }
+    objects_.drive(U_);
+    return changed;
+}
+
+
+void Foam::fsi::fluidStep::addOutsidePressure(groupNodal& force)
+{
+    if (!objects_.sides().anyOpen())
+    {
+        return;
+    }
+    vectorField nodal;
+    walls_.setOutside(p_, nodal);
+    nodal *= objects_.fluid().density;
+    groupNodal outside;
+    objects_.bodies().layout().toGroups(nodal, outside);
+    forAll(force, groupi)
+    {
+        force[groupi] += outside[groupi];
+    }
+}
+
+
+void Foam::fsi::fluidStep::setGivenFlux(const vectorField& wallVelocity)
+{
+    if (objects_.sides().anyOpen())
+    {
+        const population& bodies = objects_.bodies();
+        boolList isFree(bodies.size());
+        forAll(isFree, objecti)
+        {
+            isFree[objecti] = bodies.movesFreely(objecti);
+        }
+        walls_.setGivenFlux(p_, U_, isFree, wallVelocity);
+    }
+    if (p_.needReference())
+    {
+        balanceOutflow(phi_, U_, walls_.givenFlux());
+    }
+}
+
+
+Foam::fsi::fluidStep::groupNodal Foam::fsi::fluidStep::pressureForce
+(
+    const scalarField& p
+) const
+{
+    vectorField nodal;
+    walls_.transposeAtWalls(p, nodal);
+    nodal *= objects_.fluid().density;
+    groupNodal force;
+    objects_.bodies().layout().toGroups(nodal, force);
+    return force;
+}
+
+
+Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::fluidStep::momentum
+(
+    const surfaceScalarField& convectiveFlux,
+    const volVectorField& gradP,
+    const flowSources& sources
+)
+{
+    tmp<fvVectorMatrix> tUEqn
+    (
+        momentum_.momentum
+        (
+            convectiveFlux,
+            U_,
+            objects_.fluid().viscosity,
+            gradP,
+            objects_.driving().acceleration()
+        )
+    );
+    sources.apply(tUEqn.ref(), U_);
+    momentum_.constrain(tUEqn.ref());
+    return tUEqn;
+}
+
+
+void Foam::fsi::fluidStep::moveFlux(surfaceScalarField& flux)
+{
+    if (flux_.moved().moved())
+    {
+        flux_.moved().setFlux(flux);
+    }
+}
+
+
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::fluidStep::moved
+(
+    tmp<surfaceScalarField> tflux
+)
+{
+    if (rule_.secondOrder() && flux_.moved().moved())
+    {
+        tflux = newTmp<surfaceScalarField>("convectiveFlux", tflux());
+        moveFlux(tflux.ref());
+    }
+    return tflux;
+}
+
+
+void Foam::fsi::fluidStep::setFlux
+(
+    tmp<surfaceScalarField>& convectiveFlux,
+    const volScalarField& p,
+    const volVectorField& gradP,
+    const vectorField& wallVelocity
+)
+{
+    const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
+    tmp<surfaceScalarField> tnew
+    (
+        flux_.faceFlux
+        (
+            U_, gradP, p, wallVelocity, objects_.fluid().viscosity
+        )
+    );
+    if (&convectiveFlux() == &phi_)
+    {
+        // Further passes of Euler convect with the old one
+        exchange(phi_, tnew.ref());
+        convectiveFlux = tnew;
+    }
+    else
+    {
+        phi_ = tnew;
+    }
+}
+
+
+void Foam::fsi::fluidStep::finishFluid
+(
+    const vectorField& wallVelocity,
+    const scalar ofSplitting
+)
+{
+    const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
+    flux_.storeFaceVelocity
+    (
+        phi_, U_, wallVelocity, objects_.fluid().viscosity
+    );
+    error_.measure
+    (
+        U_, geometry_.fluidCell(), ofSplitting, objects_.restSpeed()
+    );
+}
+
+
+void Foam::fsi::fluidStep::beginMove()
+{
+    flux_.beginMove(U_, objects_.bodies().surfaces().velocities());
+    objects_.moveLevelSet();
+    const stepTimer::section coupling
+    (
+        objects_.timer(), stepTimer::part::coupling
+    );
+    wasActive_ = geometry_.activeCell();
+    updateGeometry();
+}
+
+
+void Foam::fsi::fluidStep::endMove()
+{
+    const stepTimer::section coupling
+    (
+        objects_.timer(), stepTimer::part::coupling
+    );
+    fillNewCells(wasActive_, geometry_.activeCell(), p_);
+    wasActive_.clear();
+    setSolidVelocity();
+    flux_.endMove
+    (
+        U_,
+        objects_.bodies().surfaces().velocities(),
+        objects_.fluid().viscosity
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::fluidStep::describe(Ostream& os) const
+{
+    fsiStep::describe(os);
+    os  << ", wall " << wall_->type();
+}
+
+
+// ************************************************************************* //

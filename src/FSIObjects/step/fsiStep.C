@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "fsiStep.H"
+#include "projectVersion.H"
+#include "restartFiles.H"
+#include "selection.H"
+#include "sharedPrediction.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(fsiStep, 0);
+    defineRunTimeSelectionTable(fsiStep, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::fsiStep::fsiStep(fsiObjects& objects)
+:
+    objects_(objects),
+    error_(objects.grid().mesh()),
+    velocity_(objects.bodies().layout()),
+    hydrodynamicForce_(objects.bodies().layout().nSurface(), Zero),
+    output_(objects)
+{
+    restartFiles::check(objects.grid().mesh());
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fsi::fsiStep> Foam::fsi::fsiStep::New
+(
+    fsiObjects& objects,
+    const flowFields& flow
+)
+{
+    const dictionary& dict = objects.properties().subOrEmptyDict("coupling");
+    const word type(dict.lookupOrDefault<word>("type", "solidImplicit"));
+    autoPtr<fsiStep> step
+    (
+        constructorOf
+        (
+            *dictionaryConstructorTablePtr_,
+            objects.properties(),
+            "coupling",
+            type
+        )(objects, flow, dict)
+    );
+    step->announce();
+    return step;
+}
+
+
+// * * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * //
+
+bool Foam::fsi::fsiStep::feed()
+{
+    checkCrossing();
+    const bool changed = objects_.feed();
+    if (changed)
+    {
+        velocity_.reset();
+        hydrodynamicForce_.setSize(objects_.bodies().layout().nSurface());
+        hydrodynamicForce_ = Zero;
+    }
+    return changed;
+}
+
+
+void Foam::fsi::fsiStep::predictAlone
+(
+    const groupNodal& force,
+    const stepLength& step
+)
+{
+    const stepTimer::section solids(objects_.timer(), stepTimer::part::solids);
+    const Time& time = objects_.grid().mesh().time();
+    predictShared
+    (
+        objects_.bodies(),
+        time.value() - step.dt,
+        step.tau,
+        force,
+        velocity_.change()
+    );
+    objects_.constrain(velocity_, step);
+    objects_.push(velocity_, step);
+    objects_.constrain(velocity_, step);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::fsiStep::describe(Ostream& os) const
+{
+    os  << "coupling " << type();
+}
+
+
+void Foam::fsi::fsiStep::announce() const
+{
+    Info<< "FSIObjects " << projectVersion << ": "
+        << objects_.bodies().size() << " objects, "
+        << objects_.bodies().nNodes() << " nodes, ";
+    describe(Info);
+    Info<< ", level set " << objects_.levelSet().type() << nl << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedStep.H"
+#include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+#include "filmPressure.H"
+#include "objectResponse.H"
+#include "openfoamVersion.H"
+#include "openLaplacian.H"
+#include "sharedPrediction.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(immersedStep, 0);
+    addToRunTimeSelectionTable(fsiStep, immersedStep, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::immersedStep::immersedStep
+(
+    fsiObjects& objects,
+    const flowFields& flow,
+    const dictionary& dict
+)
+:
+    fluidStep(objects, flow),
+    viscous_
+    (
+        objects.bodies(), geometry_, objects.fluid(), objects.log()
+    ),
+    term_(objects.bodies(), walls_, objects.fluid().density),
+    pressure_(objects, geometry_, walls_),
+    sudden_(objects, geometry_, walls_),
+    passes_(dict),
+    balance_
+    (
+        objects.bodies(),
+        geometry_,
+        objects.levelSet(),
+        objects.fluid().density
+    )
+{
+    checkKeys(dict, {"type", "passes", "passTolerance"});
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::immersedStep::advance(const flowSources& sources)
+{
+    // Objects leave and come in; gravity and driving force
+    if (begin())
+    {
+        balance_.renew();
+    }
+    if (rule_.secondOrder())
+    {
+        objects_.expect(rule_);
+        moveWalls();
+    }
+
+    // Objects as if alone, with the last load of the fluid
+    predict(objects_.forces(step()));
+
+    tmp<surfaceScalarField> convectiveFlux(moved(rule_.flux(phi_)));
+    expectedChange change(error_.rate(), step().dt);
+    do
+    {
+        // Velocities of cells and nodes with the last pressure
+        solveMomentum(convectiveFlux(), change, sources);
+        objects_.constrain(velocity_, step());
+        objects_.push(velocity_, step());
+
+        // The pressure that makes the flow free of divergence, to which
+        // objects give way
+        setFlux
+        (
+            convectiveFlux, oldPressure_(), gradient_(), velocity_.surface()
+        );
+        solvePressure();
+        correctVelocity(sources);
+        change = expectedChange();
+    }
+    while (passAgain(convectiveFlux));
+
+    // The objects get what the fluid lost, and move
+    finishFluid(velocity_.surface(), passes_.error());
+    finish();
+    objects_.move(velocity_.groups(), step());
+
+    // The surfaces are where they are: level set, walls, new cells
+    moveWalls();
+    moveFlux(phi_);
+    level_.set();
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::immersedStep::setGradient()
+{
+    gradient_ = gradients_.openGradient(oldPressure_());
+    walls_.gradientForce(gradient_(), gradientForce_);
+    gradientForce_ *= objects_.fluid().density;
+    gradients_.extendGradient(gradient_.ref());
+}
+
+
+void Foam::fsi::immersedStep::predict(groupNodal force)
+{
+    const stepTimer::section solids(objects_.timer(), stepTimer::part::solids);
+    addOutsidePressure(force);
+    balance_.pay(step());
+    oldPressure_.reset
+    (
+        new volScalarField
+        (
+            IOobject
+            (
+                p_.name(),
+                nameOf(p_.mesh().time()),
+                p_.mesh(),
+                IOobject::NO_READ,
+                IOobject::NO_WRITE,
+                false
+            ),
+            p_
+        )
+    );
+    passes_.begin();
+    volScalarField& last = oldPressure_();
+    sudden_.answer(last, pressure_, step());
+    fillFilmCells(geometry_, last);
+    setGradient();
+
+    population& bodies = objects_.bodies();
+    vectorField nodal;
+    walls_.transpose(last.primitiveField(), nodal);
+    groupNodal load;
+    bodies.layout().toGroups(objects_.fluid().density*nodal, load);
+    addNetForce(bodies, gradientForce_ + balance_.payment(), load);
+    groupNodal rest(load.size());
+    forAll(rest, groupi)
+    {
+        rest[groupi] = bodies.groups()[groupi].splitLoad(load[groupi]);
+        load[groupi] += force[groupi];
+    }
+    predictShared
+    (
+        bodies,
+        p_.time().value() - step().dt,
+        step().tau,
+        load,
+        predicted_
+    );
+    addResponse(bodies, rest, predicted_);
+    velocity_.change() = predicted_;
+}
+
+
+bool Foam::fsi::immersedStep::countsLayer() const
+{
+    return !rule_.secondOrder();
+}
+
+
+void Foam::fsi::immersedStep::settle()
+{
+    partialForces loss(gradientForce_.size());
+    momentum_.cut().addLoss
+    (
+        objects_.levelSet(),
+        objects_.surfaces(),
+        U_,
+        velocity_.surface(),
+        loss
+    );
+    vectorField& force = loss.collect();
+    force *= objects_.fluid().density;
+    vectorField links;
+    viscous_.linkForceBeyond(U_, links);
+    balance_.owe(force + links + newGradientForce_ - gradientForce_, step());
+}
+
+
+void Foam::fsi::immersedStep::finish()
+{
+    pressure_.endStep(p_);
+    settle();
+    objects_.limit(velocity_, step());
+    objects_.constrain(velocity_, step());
+
+    vectorField nodal;
+    walls_.transpose(p_.primitiveField(), nodal);
+    nodal = linkForce_ + objects_.fluid().density*nodal;
+    hydrodynamicForce_ = nodal + gradientForce_;
+    if (!countsLayer())
+    {
+        hydrodynamicForce_ += balance_.close(step());
+    }
+
+    population& bodies = objects_.bodies();
+    groupNodal load;
+    bodies.layout().toGroups(nodal, load);
+    addNetForce(bodies, gradientForce_ + balance_.payment(), load);
+    forAll(load, groupi)
+    {
+        bodies.groups()[groupi].keepLoad(load[groupi]);
+    }
+}
+
+
+void Foam::fsi::immersedStep::moveWalls()
+{
+    if (countsLayer())
+    {
+        balance_.beginMove(U_);
+    }
+    beginMove();
+    if (countsLayer())
+    {
+        balance_.endMove(U_);
+        hydrodynamicForce_ += balance_.close(step());
+    }
+    endMove();
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedStep.H"
+#include "globalMeshData.H"
+#include "largestSpeed.H"
+#include "objectResponse.H"
+#include "openLaplacian.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::immersedStep::solveMomentum
+(
+    const surfaceScalarField& convectiveFlux,
+    const expectedChange& change,
+    const flowSources& sources
+)
+{
+    const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
+    tmp<fvVectorMatrix> UEqn(momentum(convectiveFlux, gradient_(), sources));
+    if (countsLayer())
+    {
+        balance_.begin(U_);
+    }
+    viscous_.solve
+    (
+        UEqn.ref(),
+        U_,
+        step(),
+        change,
+        predicted_,
+        velocity_.change(),
+        linkForce_
+    );
+    sources.correct(U_);
+}
+
+
+void Foam::fsi::immersedStep::solvePressure()
+{
+    setGivenFlux(velocity_.surface());
+    const stepTimer::section pressure
+    (
+        objects_.timer(), stepTimer::part::pressure
+    );
+    tmp<fvScalarMatrix> pEqn(openLaplacian(geometry_, p_, step().tau));
+
+    // Walls' flux without the pressure
+    const scalarField last(walls_.atWalls(oldPressure_().primitiveField()));
+    vectorField oldPart;
+    term_.velocity(last, oldPart);
+    scalarField source(p_.size());
+    walls_.flux(velocity_.surface() - oldPart, source);
+    walls_.addGivenFlux(source);
+    source.negate();
+    subtractOutflow(phi_, source);
+
+    if (passes_.done() == 0)
+    {
+        pressure_.beginStep(p_);
+    }
+    pressure_.solve
+    (
+        p_,
+        pEqn.ref(),
+        source,
+        term_,
+        oldPressure_().primitiveField(),
+        step()
+    );
+    pEqn.clear();
+
+    subtractGradient(geometry_, p_, step().tau, phi_);
+    momentum_.cut().end(phi_);
+
+    // Velocities of all nodes with the increment of the pressure
+    addResponse
+    (
+        objects_.bodies(),
+        pressureForce(walls_.atWalls(p_) - last),
+        velocity_.change()
+    );
+}
+
+
+void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
+{
+    const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
+    tmp<volVectorField> tgradient(gradients_.openGradient(p_));
+    walls_.gradientForce(tgradient(), newGradientForce_);
+    newGradientForce_ *= objects_.fluid().density;
+    const vectorField& gradient = tgradient().primitiveField();
+    const vectorField& last = gradient_().primitiveField();
+    const boolList& inFluid = geometry_.fluidCell();
+    const scalar V = objects_.grid().faceArea()*objects_.grid().spacing();
+    vectorField source(U_.size());
+    forAll(source, celli)
+    {
+        source[celli] =
+            inFluid[celli] ? V*(last[celli] - gradient[celli]) : vector(Zero);
+    }
+    tgradient.clear();
+    const scalar alone = step().tau/V;
+    vectorField guess;
+    if (rule_.secondOrder())
+    {
+        const scalar nu = objects_.fluid().viscosity;
+        guess = alone*source/(1 + step().tau*gradients_.wallFriction(nu));
+    }
+    passes_.measure
+    (
+        viscous_.addResponse
+        (
+            source, guess, alone, U_
+        ),
+        U_.mesh().globalData().nTotalCells()*sqr(objects_.restSpeed()),
+        largestSpeed(velocity_.change()),
+        largestSpeed(U_, inFluid)
+    );
+    sources.correct(U_);
+}
+
+
+bool Foam::fsi::immersedStep::passAgain
+(
+    tmp<surfaceScalarField>& convectiveFlux
+)
+{
+    const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
+    if (!passes_.more())
+    {
+        passes_.report(objects_.log());
+        return false;
+    }
+    if (rule_.secondOrder() && !passes_.refused())
+    {
+        convectiveFlux = moved(tmp<surfaceScalarField>(phi_));
+    }
+
+    // The objects answer to the change of the load as in (5.9)
+    volScalarField& start = oldPressure_();
+    const scalarField last(walls_.atWalls(start.primitiveField()));
+    const vectorField lastForce(gradientForce_);
+    p_.primitiveFieldRef() = passes_.next
+    (
+        start.primitiveField(),
+        p_.primitiveField(),
+        p_.needReference(),
+        geometry_.activeCell()
+    );
+    p_.correctBoundaryConditions();
+    start.primitiveFieldRef() = p_.primitiveField();
+    start.correctBoundaryConditions();
+    setGradient();
+
+    groupNodal load
+    (
+        pressureForce(walls_.atWalls(start.primitiveField()) - last)
+    );
+    addNetForce(objects_.bodies(), gradientForce_ - lastForce, load);
+    addResponse(objects_.bodies(), load, predicted_);
+    velocity_.change() = predicted_;
+    return true;
+}
+
+
+// ************************************************************************* //

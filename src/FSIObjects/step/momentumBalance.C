@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "momentumBalance.H"
+#include "cellCut.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+template<class Action>
+void Foam::fsi::momentumBalance::forCutCells(const Action& action) const
+{
+    const cartesianMesh& grid = geometry_.grid();
+    const scalarField& distance = levelSet_.cellDistance();
+    const UList<cellWall>& walls = geometry_.surfaceParts();
+    label next = 0;
+    for (label i = 0; i < walls.size(); i = next)
+    {
+        // The largest: which one comes first depends on the ranks
+        const label celli = walls[i].cell;
+        label largest = i;
+        for (next = i; next < walls.size() && walls[next].cell == celli; ++next)
+        {
+            if (mag(walls[next].area) > mag(walls[largest].area))
+            {
+                largest = next;
+            }
+        }
+        const cellWall& wall = walls[largest];
+        const scalar d = distance[grid.haloIndex()[celli]];
+        action
+        (
+            wall,
+            closedPartOfCell(wall.area, d/grid.spacing(), grid.nDims())
+        );
+    }
+}
+
+
+void Foam::fsi::momentumBalance::setLayer
+(
+    const volVectorField& U,
+    const vectorField& v,
+    vectorField& layer
+) const
+{
+    const boolList& fluid = geometry_.fluidCell();
+    const scalarField& V = U.mesh().V();
+    partialForces part(v.size());
+    forCutCells([&](const cellWall& wall, const scalar closed)
+    {
+        if (fluid[wall.cell])
+        {
+            const vector slip(U[wall.cell] - wall.place.interpolate(v));
+            wall.place.spread
+            (
+                part.mine(), vector(2*closed*V[wall.cell]*slip)
+            );
+        }
+    });
+    layer.transfer(part.collect());
+}
+
+
+void Foam::fsi::momentumBalance::addPassedCells
+(
+    const volVectorField& U,
+    partialForces& nodal
+)
+{
+    const boolList& fluid = geometry_.fluidCell();
+    const scalarField& V = U.mesh().V();
+    const vectorField& v = bodies_.surfaces().velocities();
+    const auto add = [&](const label celli, const surfacePlace& place)
+    {
+        if (fluid[celli] != wasFluid_[celli])
+        {
+            const scalar volume = fluid[celli] ? -V[celli] : V[celli];
+            const vector slip(U[celli] - place.interpolate(v));
+            place.spread(nodal.mine(), vector(volume*slip));
+            wasFluid_[celli] = fluid[celli];
+        }
+    };
+    forAll(cells_, i)
+    {
+        add(cells_[i], places_[i]);
+    }
+    forCutCells([&](const cellWall& wall, const scalar)
+    {
+        add(wall.cell, wall.place);
+    });
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::momentumBalance::momentumBalance
+(
+    population& bodies,
+    const interfaceGeometry& geometry,
+    const levelSetUpdate& levelSet,
+    const scalar density
+)
+:
+    bodies_(bodies),
+    geometry_(geometry),
+    levelSet_(levelSet),
+    density_(density),
+    known_(false)
+{
+    renew();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::momentumBalance::renew()
+{
+    nodeLayout::groupNodal debt(bodies_.groups().size());
+    forAll(debt, groupi)
+    {
+        debt[groupi] = bodies_.groups()[groupi].owedImpulse();
+    }
+    bodies_.layout().toSurface(debt, owed_);
+    payment_.setSize(owed_.size());
+    payment_ = Zero;
+    kept_ = owed_;
+    known_ = false;
+}
+
+
+void Foam::fsi::momentumBalance::pay(const stepLength& step)
+{
+    payment_ = (part/step.tau)*owed_;
+    owed_ -= step.tau*payment_;
+    kept_ -= step.tau*payment_;
+}
+
+
+void Foam::fsi::momentumBalance::begin(const volVectorField& U)
+{
+    if (!known_)
+    {
+        wall_ = bodies_.surfaces().velocities();
+        setLayer(U, wall_, layer_);
+        known_ = true;
+    }
+}
+
+
+void Foam::fsi::momentumBalance::owe
+(
+    const vectorField& force,
+    const stepLength& step
+)
+{
+    owed_ += step.tau*force;
+}
+
+
+void Foam::fsi::momentumBalance::beginMove(const volVectorField& U)
+{
+    begin(U);
+    const boolList& fluid = geometry_.fluidCell();
+    const scalarField& V = U.mesh().V();
+    const vectorField gain
+    (
+        bodies_.surfaces().velocities() - wall_
+    );
+    wasFluid_ = fluid;
+    cells_.clear();
+    places_.clear();
+    partialForces inertia(gain.size());
+    forCutCells([&](const cellWall& wall, const scalar closed)
+    {
+        const label celli = wall.cell;
+        const scalar more = fluid[celli] ? closed : closed - 1;
+        const vector dv(wall.place.interpolate(gain));
+        wall.place.spread(inertia.mine(), vector(more*V[celli]*dv));
+        if (fluid[celli])
+        {
+            cells_.append(celli);
+            places_.append(wall.place);
+        }
+    });
+    owed_ += density_*inertia.collect();
+}
+
+
+void Foam::fsi::momentumBalance::endMove(const volVectorField& U)
+{
+    const vectorField& v = bodies_.surfaces().velocities();
+    partialForces passed(v.size());
+    addPassedCells(U, passed);
+
+    vectorField layer;
+    setLayer(U, v, layer);
+    owed_ += density_*(passed.collect() + layer - layer_);
+    layer_ = layer;
+    wall_ = v;
+}
+
+
+Foam::vectorField Foam::fsi::momentumBalance::close(const stepLength& step)
+{
+    nodeLayout::groupNodal debt;
+    bodies_.layout().toBoundary(owed_, debt);
+    forAll(debt, groupi)
+    {
+        bodies_.groups()[groupi].owedImpulse() = debt[groupi];
+    }
+    const vectorField force((owed_ - kept_)/step.tau);
+    kept_ = owed_;
+    return force;
+}
+
+
+// ************************************************************************* //

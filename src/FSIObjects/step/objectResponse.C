@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectResponse.H"
+#include "rigidForce.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::addNetForce
+(
+    const population& bodies,
+    const vectorField& nodal,
+    List<Eigen::MatrixXd>& force
+)
+{
+    List<Eigen::MatrixXd> boundary;
+    bodies.layout().toBoundary(nodal, boundary);
+    forAll(force, groupi)
+    {
+        const bodyGroup& group = bodies.groups()[groupi];
+        const auto add =
+            group.hasFreeWaves() ? addSurfaceForce : addRigidForce;
+        add(group, boundary[groupi], force[groupi]);
+    }
+}
+
+
+void Foam::fsi::expectPressure
+(
+    population& bodies,
+    const wallOperator& walls,
+    const scalar density,
+    const scalarField& change
+)
+{
+    vectorField nodal;
+    walls.transpose(change, nodal);
+    nodal *= density;
+    List<Eigen::MatrixXd> load;
+    bodies.layout().toBoundary(nodal, load);
+    forAll(load, groupi)
+    {
+        bodies.groups()[groupi].expectLoad(load[groupi]);
+    }
+}
+
+
+void Foam::fsi::addResponse
+(
+    const population& bodies,
+    const List<Eigen::MatrixXd>& force,
+    List<Eigen::MatrixXd>& velocity
+)
+{
+    forAll(force, groupi)
+    {
+        if (force[groupi].size())
+        {
+            Eigen::MatrixXd v;
+            bodies.groups()[groupi].response().respond(force[groupi], v);
+            velocity[groupi] += v;
+        }
+    }
+}
+
+
+// ************************************************************************* //

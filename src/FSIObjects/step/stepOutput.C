@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "stepOutput.H"
+#include "meanFluidVelocity.H"
+#include "openfoamMesh.H"
+#include "restartFiles.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+static IOobject writtenField(const fvMesh& mesh, const word& name)
+{
+    return IOobject
+    (
+        name,
+        nameOf(mesh.time()),
+        mesh,
+        IOobject::NO_READ,
+        IOobject::AUTO_WRITE
+    );
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::stepOutput::stepOutput(fsiObjects& objects)
+:
+    objects_(objects),
+    writer_
+    (
+        objects.grid().mesh().time(),
+        objects.properties().subOrEmptyDict("output"),
+        objects.grid().nDims()
+    ),
+    signedDistance_
+    (
+        writtenField(objects.grid().mesh(), "signedDistance"),
+        objects.grid().mesh(),
+        dimensionedScalar(dimLength, Zero)
+    ),
+    objectLabel_
+    (
+        writtenField(objects.grid().mesh(), "objectLabel"),
+        objects.grid().mesh(),
+        dimensionedScalar("value", dimless, -1)
+    )
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::stepOutput::report(const timeError& error)
+{
+    const fvMesh& mesh = objects_.grid().mesh();
+    const Time& time = mesh.time();
+    const levelSetUpdate& levelSet = objects_.levelSet();
+
+    stepRecord record(stepRecord::sample(objects_.bodies()));
+    record.time = time.value();
+    record.deltaT = time.deltaTValue();
+    record.removed = objects_.boundaries().nRemoved();
+    record.fed = objects_.boundaries().nFed();
+    record.fluidVelocity = meanFluidVelocity
+    (
+        mesh.lookupObject<volVectorField>("U"),
+        levelSet,
+        objects_.grid().haloIndex()
+    );
+    const contactStatistics& contacts = objects_.contact().statistics();
+    record.contacts = contacts.contacts;
+    record.smallestGap = contacts.smallestGap;
+    record.contactEnergy = contacts.potentialEnergy;
+    record.misfit = levelSet.misfit(objects_.surfaces());
+    record.rebuilds = levelSet.nRebuilds();
+
+    record.timeError = error.value();
+    stepTimer& timer = objects_.timer();
+    timer.endStep(time.value(), time.deltaTValue(), time.endTime().value());
+    record.seconds = timer.seconds();
+    writer_.writeStep(record);
+    runLog& log = objects_.log();
+    log.setWarnings
+    (
+        "object pushed out at a feed",
+        objects_.boundaries().nWarnings()
+    );
+    log.setWarnings("contact gives energy", objects_.contact().warned());
+    log.finish(record, timer);
+}
+
+
+void Foam::fsi::stepOutput::writeRows(const vectorField& hydrodynamicForce)
+{
+    List<objectRecord> records(objectRecord::sample(objects_.bodies()));
+    const surfaceSet& surfaces = objects_.bodies().surfaces();
+    const labelList& pointObject = surfaces.pointObject();
+    forAll(pointObject, nodei)
+    {
+        objectRecord& r = records[pointObject[nodei]];
+        const vector& force = hydrodynamicForce[nodei];
+        r.force += force;
+        r.torque += (surfaces.points()[nodei] - r.centroid) ^ force;
+    }
+    const contactStatistics& contacts = objects_.contact().statistics();
+    forAll(contacts.objectContacts, objecti)
+    {
+        records[objecti].contacts = contacts.objectContacts[objecti];
+        records[objecti].smallestGap = contacts.objectGaps[objecti];
+    }
+    writer_.writeRows(objects_.grid().mesh().time().value(), records);
+}
+
+
+void Foam::fsi::stepOutput::setFields()
+{
+    const levelSetUpdate& levelSet = objects_.levelSet();
+    const labelList& halo = objects_.grid().haloIndex();
+    forAll(halo, celli)
+    {
+        const label objecti = levelSet.object()[halo[celli]];
+        signedDistance_[celli] = levelSet.cellDistance()[halo[celli]];
+        objectLabel_[celli] =
+            objecti < 0 ? -1 : objects_.bodies().objectId(objecti);
+    }
+    signedDistance_.correctBoundaryConditions();
+    objectLabel_.correctBoundaryConditions();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::stepOutput::write
+(
+    const timeError& error,
+    const vectorField& hydrodynamicForce
+)
+{
+    report(error);
+    const fvMesh& mesh = objects_.grid().mesh();
+    const bool output = mesh.time().writeTime();
+    if (output || writer_.objectsWanted())
+    {
+        writeRows(hydrodynamicForce);
+    }
+    if (!output)
+    {
+        return;
+    }
+    setFields();
+    writer_.writeShapes(mesh.time().value(), objects_.bodies());
+    objects_.write();
+    error.write();
+    restartFiles::write(mesh);
+}
+
+
+void Foam::fsi::stepOutput::summary
+(
+    const timeError& error,
+    Ostream& os
+) const
+{
+    error.report(os);
+    objects_.log().report(os);
+    objects_.timer().report(os);
+}
+
+
+// ************************************************************************* //
