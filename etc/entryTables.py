@@ -6,7 +6,8 @@ import os
 import re
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-FOLDERS = ("src/kernels", "src/FSIObjects", "src/fastPoisson")
+FOLDERS = ("src/kernels", "src/FSIObjects", "src/FSISeeding", "src/FSIThesis",
+           "src/FSIStock", "src/fastPoisson")
 
 
 def read(path):

@@ -35,7 +35,7 @@ OTHERS = {
     "quaternion": "quaternion", "objects": "list of dictionaries",
     "file": "file name",
     "centre": "vector", "faces": "whole numbers", "elements": "whole numbers",
-    "U": "word", "p": "word", "simulationType": "word",
+    "libs": "file names", "U": "word", "p": "word", "simulationType": "word",
 }
 
 
@@ -99,7 +99,8 @@ class Types:
             return (not (near and os.path.basename(source).startswith(base)),
                     not near)
 
-        if name == "rotation" and path.startswith("src/FSIObjects"):
+        if name == "rotation" and path.startswith(
+                ("src/FSIObjects", "src/FSISeeding")):
             return "angle or dictionary", ""
         for source in sorted(self.reads_, key=distance):
             for key, kind, limits in self.reads_[source]:

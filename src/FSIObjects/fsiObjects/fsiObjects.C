@@ -113,7 +113,10 @@ Foam::fsi::fsiObjects::fsiObjects
     renew();
     seedRecord::check(bodies_, mesh.time(), sides_, grid_.spacing());
     checkMotion();
-    motionCheck(bodies_, mesh.time()).checkOverlaps(sides_.period());
+    if (!contact_.letsOverlap())
+    {
+        motionCheck(bodies_, mesh.time()).checkOverlaps(sides_.period());
+    }
 }
 
 

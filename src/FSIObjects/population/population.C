@@ -64,8 +64,8 @@ Foam::fsi::population::population(const Time& time)
     surfaces_ = surfaceSet(nDims_);
     layout_ = nodeLayout(nDims_);
     groups_.read(nDims_, nextObjectId_);
-    checkPeriods();
     renumber();
+    checkPeriods();
 }
 
 
