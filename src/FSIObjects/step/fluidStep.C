@@ -209,7 +209,6 @@ void Foam::fsi::fluidStep::setFlux
     const vectorField& wallVelocity
 )
 {
-    const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
     tmp<surfaceScalarField> tnew
     (
         flux_.faceFlux

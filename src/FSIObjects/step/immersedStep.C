@@ -73,6 +73,11 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
     expectedChange change(error_.rate(), step().dt);
     do
     {
+        const stepTimer::section fluid
+        (
+            objects_.timer(), stepTimer::part::fluid
+        );
+
         // Velocities of cells and nodes with the last pressure
         solveMomentum(convectiveFlux(), change, sources);
         objects_.constrain(velocity_, step());

@@ -15,7 +15,6 @@ void Foam::fsi::immersedStep::solveMomentum
     const flowSources& sources
 )
 {
-    const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
     tmp<fvVectorMatrix> UEqn(momentum(convectiveFlux, gradient_(), sources));
     if (countsLayer())
     {
@@ -84,7 +83,6 @@ void Foam::fsi::immersedStep::solvePressure()
 
 void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
 {
-    const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
     tmp<volVectorField> tgradient(gradients_.openGradient(p_));
     walls_.gradientForce(tgradient(), newGradientForce_);
     newGradientForce_ *= objects_.fluid().density;
