@@ -45,8 +45,8 @@ MESSAGES = re.compile(
 
 # What all ranks must call, and what they have different numbers of
 COLLECTIVE = re.compile(
-    r"\b(?:\w*[oO]verRanks|swapCoupled\w+|syncCoupledFaces|fillFromNeighbours"
-    r"|correctBoundaryConditions)\s*\(")
+    r"\b(?:\w*[oO]verRanks|collect|swapCoupled\w+|syncCoupledFaces"
+    r"|fillFromNeighbours|correctBoundaryConditions)\s*\(")
 LOCAL = re.compile(
     r"\b(?:patch(?:es|i)?|boundary(?:Field|FieldRef|Mesh)?|n?[cC]ells|celli"
     r"|n?[fF]aces|facei|nInternalFaces)\b")

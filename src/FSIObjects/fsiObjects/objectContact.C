@@ -248,10 +248,7 @@ void Foam::fsi::objectContact::addForce
         calculate(surfaces().velocities(), step);
         nodeLayout::groupNodal contactForce;
         bodies_.layout().toGroups(force_, contactForce);
-        forAll(force, groupi)
-        {
-            force[groupi] += contactForce[groupi];
-        }
+        nodeLayout::add(contactForce, force);
     }
 }
 

@@ -12,7 +12,7 @@ Foam::fsi::fadingPart Foam::fsi::immersedFlux::fadingGradient
 ) const
 {
     const scalar h = geometry_.grid().spacing();
-    const scalar deltaT = rule_.step();
+    const scalar deltaT = rule_.length().tau;
     fadingPart part(geometry_.grid().faceArea()*deltaT);
     if (rule_.secondOrder())
     {
@@ -100,7 +100,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const scalar viscosity
 ) const
 {
-    const scalar deltaT = rule_.step();
+    const scalar deltaT = rule_.length().tau;
     tmp<surfaceScalarField> tflux
     (
         faces_.velocity({U, wallVelocity, &gradient, deltaT})

@@ -13,7 +13,7 @@ Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
 ) const
 {
     const scalar h = geometry_.grid().spacing();
-    const scalar deltaT = rule_.step();
+    const scalar deltaT = rule_.length().tau;
     const scalar viscous = viscosity*sqr(constant::mathematical::pi/h);
 
     scalarField fading(U.size());
@@ -67,7 +67,7 @@ void Foam::fsi::immersedFlux::endMove
 )
 {
     const scalar h = geometry_.grid().spacing();
-    const scalar deltaT = rule_.step();
+    const scalar deltaT = rule_.length().tau;
     moved_.end
     (
         U,

@@ -139,7 +139,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::immersedMomentum::momentum
     cut_.begin(flux);
     tmp<fvVectorMatrix> tequation(transport(flux, U, viscosity));
     fvVectorMatrix& equation = tequation.ref();
-    const scalar perStep = 1/rule_.step();
+    const scalar perStep = 1/rule_.length().tau;
     const scalarField& V = U.mesh().V();
     const tmp<vectorField> tlast(rule_.start(U));
     const vectorField& last = tlast();

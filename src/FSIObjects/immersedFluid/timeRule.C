@@ -9,7 +9,6 @@ Foam::fsi::timeRule::timeRule(const fvMesh& mesh)
 :
     mesh_(mesh),
     backward_(ddtSchemeOf(mesh, "ddt(U)") == "backward"),
-    begun_(false),
     ratio_(0)
 {
     const word scheme(ddtSchemeOf(mesh, "ddt(U)"));
@@ -31,7 +30,6 @@ void Foam::fsi::timeRule::begin
     const surfaceScalarField& phi
 )
 {
-    begun_ = true;
     ratio_ = 0;
     if (!backward_)
     {

@@ -89,6 +89,15 @@ Foam::label Foam::fsi::nodeLayout::nNodes() const
 }
 
 
+void Foam::fsi::nodeLayout::add(const groupNodal& values, groupNodal& sum)
+{
+    forAll(sum, groupi)
+    {
+        sum[groupi] += values[groupi];
+    }
+}
+
+
 void Foam::fsi::nodeLayout::toGroups
 (
     const vectorField& surface,

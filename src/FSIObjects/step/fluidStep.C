@@ -56,6 +56,20 @@ void Foam::fsi::fluidStep::setSolidVelocity()
 }
 
 
+Foam::fsi::fluidStep::groupNodal Foam::fsi::fluidStep::inGroups
+(
+    const vectorField& nodal
+) const
+{
+    groupNodal force;
+    objects_.bodies().layout().toGroups
+    (
+        objects_.fluid().density*nodal, force
+    );
+    return force;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::fluidStep::fluidStep
@@ -111,13 +125,7 @@ void Foam::fsi::fluidStep::addOutsidePressure(groupNodal& force)
     }
     vectorField nodal;
     walls_.setOutside(p_, nodal);
-    nodal *= objects_.fluid().density;
-    groupNodal outside;
-    objects_.bodies().layout().toGroups(nodal, outside);
-    forAll(force, groupi)
-    {
-        force[groupi] += outside[groupi];
-    }
+    nodeLayout::add(inGroups(nodal), force);
 }
 
 
@@ -147,10 +155,7 @@ Foam::fsi::fluidStep::groupNodal Foam::fsi::fluidStep::pressureForce
 {
     vectorField nodal;
     walls_.transposeAtWalls(p, nodal);
-    nodal *= objects_.fluid().density;
-    groupNodal force;
-    objects_.bodies().layout().toGroups(nodal, force);
-    return force;
+    return inGroups(nodal);
 }
 
 

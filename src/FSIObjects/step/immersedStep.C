@@ -146,10 +146,7 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
     setGradient();
 
     population& bodies = objects_.bodies();
-    vectorField nodal;
-    walls_.transpose(last.primitiveField(), nodal);
-    groupNodal load;
-    bodies.layout().toGroups(objects_.fluid().density*nodal, load);
+    groupNodal load(pressureForce(walls_.atWalls(last.primitiveField())));
     addNetForce(bodies, gradientForce_ + balance_.payment(), load);
     groupNodal rest(load.size());
     forAll(rest, groupi)

@@ -83,7 +83,12 @@ Foam::fsi::forcedObjects::forcedObjects
     mesh_(withoutObjects(mesh, dict)),
     velocityName_(stockField<volVectorField>(mesh, dict, "U")),
     objects_(mesh, stockViscosity(mesh)),
-    step_(objects_, mesh.lookupObject<volVectorField>(velocityName_)),
+    step_
+    (
+        objects_,
+        mesh.lookupObject<volVectorField>(velocityName_),
+        objects_.properties().subOrEmptyDict("coupling")
+    ),
     timeIndex_(mesh.time().timeIndex()),
     warned_(false),
     shortest_(GREAT)

@@ -30,17 +30,17 @@ namespace fsi
 Foam::fsi::forcedStep::forcedStep
 (
     fsiObjects& objects,
-    const volVectorField& U
+    const volVectorField& U,
+    const dictionary& dict
 )
 :
     fsiStep(objects),
     U_(U),
-    dict_(objects.properties().subOrEmptyDict("coupling")),
-    strength_(readPositive(dict_, "strength", 1000)),
-    virtualMass_(readNonNegative(dict_, "virtualMass", 1)),
+    strength_(readPositive(dict, "strength", 1000)),
+    virtualMass_(readNonNegative(dict, "virtualMass", 1)),
     coverage_
     (
-        objects.grid(), max(label(readPositive(dict_, "samples", 4)), 1)
+        objects.grid(), max(label(readPositive(dict, "samples", 4)), 1)
     ),
     coefficientField_
     (
@@ -57,8 +57,8 @@ Foam::fsi::forcedStep::forcedStep
     ),
     renewed_(true)
 {
-    readChoice(dict_, "type", typeName, {typeName});
-    checkKeys(dict_, {"type", "strength", "virtualMass", "samples"});
+    readChoice(dict, "type", typeName, {typeName});
+    checkKeys(dict, {"type", "strength", "virtualMass", "samples"});
     objects.bodies().layout().zero(lag_);
     renew();
     renewed_ = !readState();
@@ -206,10 +206,7 @@ void Foam::fsi::forcedStep::advance(const flowSources&)
     }
     objects_.drive(U_.oldTime());
     groupNodal force(objects_.forces(step));
-    forAll(force, groupi)
-    {
-        force[groupi] += load_[groupi];
-    }
+    nodeLayout::add(load_, force);
     predictAlone(force, step);
     takeObjects(last);
     objects_.limit(velocity_, step);

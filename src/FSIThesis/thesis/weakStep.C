@@ -45,7 +45,7 @@ Foam::fsi::weakStep::weakStep
         dict,
         {"type", "load", "subIterations", "tolerance", "relaxation"}
     );
-    if (ddtSchemeOf(U_.mesh(), "ddt(U)") != "Euler" && objects.bodies().size())
+    if (rule_.secondOrder() && objects.bodies().size())
     {
         FatalIOErrorInFunction(objects.properties())
             << "Coupling " << type() << " is of first order in time, since the"
@@ -132,7 +132,7 @@ void Foam::fsi::weakStep::solvePressure
     const flowSources& sources
 )
 {
-    const scalar dt = rule_.step();
+    const scalar dt = rule_.length().tau;
     setGivenFlux(wallVelocity_);
     {
         const stepTimer::section pressure
@@ -182,10 +182,7 @@ bool Foam::fsi::weakStep::passAgain(const stepLength& step)
     load_->calculate(p_, U_, wallVelocity_, hydrodynamicForce_);
     groupNodal total;
     objects_.bodies().layout().toGroups(hydrodynamicForce_, total);
-    forAll(total, groupi)
-    {
-        total[groupi] += force_[groupi];
-    }
+    nodeLayout::add(force_, total);
     predictAlone(total, step);
     if (pass_ >= subIterations_)
     {
