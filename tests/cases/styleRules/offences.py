@@ -78,7 +78,7 @@ OFFENCES = [
     ("sum over ranks in a loop over cells",
      {"src/kernels/low/low.C": SPDX + "void f()\n{\n    forAll(cells, celli)\n"
                                "    {\n        part.collect();\n    }\n}\n"},
-     "src/kernels/low/low.C:6:", ["all ranks must call", "cells"]),
+     "src/kernels/low/low.C:6:", ["all ranks must make", "cells"]),
     ("class of 601 lines", large_class(601),
      "src/kernels/low/low.H:1:",
      ["low has 601 lines in low.H, low.C, lowMore.C (at most 600)"]),
