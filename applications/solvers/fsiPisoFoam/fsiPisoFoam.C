@@ -50,6 +50,7 @@ Description
 #include "openfoamCase.H"
 #include "openfoamVersion.H"
 #include "optionSources.H"
+#include "osha1stream.H"
 #include "restartFiles.H"
 #include "solverTime.H"
 #include "timeStep.H"

@@ -6,6 +6,7 @@ equations that documents and sources name exist.
     documents.py FOLDER
 """
 
+import fnmatch
 import os
 import re
 import subprocess
@@ -19,6 +20,9 @@ DOCUMENTS = ("README.md", "CONTRIBUTING.md", "doc/dataFlow.md",
              "doc/theory.md", "doc/performance.md", "doc/userGuide.md",
              "doc/validation.md", "doc/entries.md", "doc/choices.md")
 
+# Folders of what was built or has run
+MADE = (".git", "platforms", "lnInclude", "units", "__pycache__")
+
 
 def read(path):
     with open(os.path.join(ROOT, path), encoding="utf-8") as file:
@@ -29,12 +33,21 @@ def existing(path):
     return os.path.exists(os.path.join(ROOT, path))
 
 
+def files(*patterns):
+    """Paths of the project's files that fit one of the patterns. The source
+    tree need not be git's."""
+    found = []
+    for folder, names, here in os.walk(ROOT):
+        names[:] = [n for n in names if n not in MADE]
+        found += [os.path.relpath(os.path.join(folder, n), ROOT)
+                  for n in here]
+    return [f for f in found if any(fnmatch.fnmatch(f, p) for p in patterns)]
+
+
 def all_files():
     """Names and last two parts of all files of the project."""
-    names = subprocess.run(["git", "-C", ROOT, "ls-files"], check=True,
-                           capture_output=True, text=True).stdout.split()
     known = set()
-    for name in names:
+    for name in files("*"):
         parts = name.split("/")
         known.update("/".join(parts[i:]) for i in range(len(parts)))
         known.update("/".join(parts[:i]) for i in range(len(parts)))
@@ -75,16 +88,12 @@ def check_contents(report, path, text):
 def check_revisions(report):
     """Revisions and their dates are in choices.md and CHANGELOG.md only, and
     the date of a table of versions in README.md."""
-    names = subprocess.run(
-        ["git", "-C", ROOT, "ls-files", "*.md"], check=True,
-        capture_output=True, text=True).stdout.split()
     found = []
-    for name in set(names) - {"doc/choices.md", "CHANGELOG.md"}:
+    for name in set(files("*.md")) - {"doc/choices.md", "CHANGELOG.md"}:
         pattern = r"(?<![\w.-])(?=\d*[a-f])(?=[a-f]*\d)[0-9a-f]{7}(?![\w.])"
         if name != "README.md":
             pattern += r"|(?<!\d)20\d\d-\d\d-\d\d"
-        if existing(name):
-            found += [f"{name}: {f}" for f in re.findall(pattern, read(name))]
+        found += [f"{name}: {f}" for f in re.findall(pattern, read(name))]
     report.check("documents name no revisions", not found, sorted(found))
 
 
@@ -116,12 +125,10 @@ def check_equations(report):
     numbers = re.findall(r"^    .*\((\d\.\d+)\)$", read("doc/theory.md"), re.M)
     double = sorted({n for n in numbers if numbers.count(n) > 1})
     report.check("numbers of equations stand once", not double, double)
-    names = subprocess.run(
-        ["git", "-C", ROOT, "ls-files", "src", "doc/*.md", "tutorials",
-         "tests/*.[CH]", "tests/*.py"],
-        check=True, capture_output=True, text=True).stdout.split()
+    names = files("src/*", "doc/*.md", "tutorials/*", "tests/*.[CH]",
+                  "tests/*.py")
     missing = [f"{name}: ({n})" for name in names
-               if name.endswith((".C", ".H", ".md", ".py")) and existing(name)
+               if name.endswith((".C", ".H", ".md", ".py"))
                for n in sorted(cited(name, read(name)) - set(numbers))]
     report.check("equations that are cited are in theory.md", not missing,
                  missing)
@@ -144,10 +151,7 @@ def check_columns(report):
 def check_calls(report):
     """Functions that dataFlow.md names are declared, those with a class in its
     header."""
-    headers = subprocess.run(["git", "-C", ROOT, "ls-files", "src/*.H"],
-                             check=True, capture_output=True,
-                             text=True).stdout.split()
-    texts = {os.path.basename(h)[:-2]: read(h) for h in headers}
+    texts = {os.path.basename(h)[:-2]: read(h) for h in files("src/*.H")}
     rows = re.findall(r"^\| [\d ]*\|[^|]*\|[^|]*\|([^|]*)\|",
                       read("doc/dataFlow.md"), re.M)
     calls = re.findall(r"`([\w:]+)`", " ".join(rows))
@@ -164,11 +168,8 @@ def check_calls(report):
 
 def messages():
     """Texts of the messages of all sources, the warnings' apart."""
-    names = subprocess.run(["git", "-C", ROOT, "ls-files", "src/*.C",
-                            "applications/*.C"], check=True,
-                           capture_output=True, text=True).stdout.split()
     every, warnings = "", []
-    for name in names:
+    for name in files("src/*.C", "applications/*.C"):
         source = read(name)
         literal = r'"((?:[^"\\\n]|\\.)*)"'
         every += "".join(re.findall(literal, source)) + "\n"
