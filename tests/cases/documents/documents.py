@@ -17,8 +17,9 @@ import fsiCase
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../..")
 DOCUMENTS = ("README.md", "CONTRIBUTING.md", "doc/dataFlow.md",
              "doc/extending.md",
-             "doc/theory.md", "doc/performance.md", "doc/userGuide.md",
-             "doc/validation.md", "doc/entries.md", "doc/choices.md")
+             "doc/theory.md", "doc/performance.md", "doc/scaling.md",
+             "doc/userGuide.md", "doc/validation.md", "doc/entries.md",
+             "doc/choices.md")
 
 # Folders of what was built or has run
 MADE = (".git", "platforms", "lnInclude", "units", "__pycache__")

@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Weak scaling: each rank has 256^2 cells with 100 discs on 40 % of them, or
+48^3 cells with 12 spheres, on more and more ranks.
+
+    weakScaling.py FOLDER RESULTS LIBRARY [-ranks N] [-steps N]
+
+The machine may have fewer cores than ranks: what counts is processor time
+outside of MPI, memory, messages and bytes of each rank and step, which
+LIBRARY counts (countMessages.C). All sides are periodic, so that a rank has
+the same neighbours however many there are. FOLDER holds the cases; the tables
+ranks2D.csv and ranks3D.csv go to RESULTS.
+"""
+
+import argparse
+import csv
+import math
+import os
+import re
+import shutil
+import statistics
+import subprocess
+
+import fsiCase
+import results
+
+FAST = """solvers
+{
+    p { solver cartesianMG; tolerance 1e-6; relTol 0; }
+    U { solver PBiCGStab; preconditioner DILU; tolerance 1e-6; relTol 0; }
+}
+PISO { nCorrectors 1; }
+"""
+
+# Ranks in each direction
+PARTS = {2: ((1, 1), (2, 1), (2, 2), (4, 2), (4, 4)),
+         3: ((1, 1, 1), (2, 1, 1), (2, 2, 1), (2, 2, 2))}
+
+# Cells of a rank in each direction, and objects
+LOAD = {2: (256, 100), 3: (48, 12)}
+
+# Steps that are not counted: factors, agglomeration, first messages
+WARM_UP = 2
+
+# Of a rank and step: the file's column, and what it is in the table
+COLUMNS = {"outside": "s outside MPI", "messages": "messages",
+           "bytes": "bytes", "largest": "largest message",
+           "partners": "partners", "collectives": "collectives",
+           "collectiveBytes": "collective bytes",
+           "largestCollective": "largest collective"}
+
+OF_ONE = ("s outside MPI", "s outside MPI, largest", "MiB, largest")
+
+
+def shapes(n_dims, h):
+    """What is seeded."""
+    if n_dims == 2:
+        radius = math.sqrt(0.4/math.pi/LOAD[2][1])
+        return (f"disc {{ shape {{ type circle; radius {radius:.8g}; }} "
+                "material { density 1000; E 2e4; } }")
+    return (f"disc {{ shape {{ type sphere; radius {6*h:.8g}; }} "
+            "material { type neoHookean; density 1000; E 2e3; } }")
+
+
+def build(path, parts, steps):
+    """A case of unit boxes side by side, in which objects move at random in a
+    stream."""
+    n_dims = len(parts)
+    width, number = LOAD[n_dims]
+    h = 1/width
+    kind = "packed; sweeps 20" if n_dims == 2 else "random; maxAttempts 100000"
+    case = fsiCase.Case(
+        path, box=(0,)*n_dims + parts, cells=tuple(width*n for n in parts),
+        cyclic="xyz"[:n_dims], density=1000, viscosity=0.01,
+        velocity="(1 0 0)", shapes=shapes(n_dims, h),
+        properties="coupling { passes 2; passTolerance 1e-12; }\n",
+        placements=f"discs {{ type {kind}; shape disc; velocity (1 0 0); "
+                   "velocityPerturbation 0.5; number "
+                   f"{number*math.prod(parts)}; minimumGap {h}; wallGap {h}; "
+                   "}",
+        deltaT=0.25*h, endTime=0.25*h*(steps + 0.5), timePrecision=10,
+        libs='("libFastPoisson.so")')
+    case.file("system/fvSolution", FAST)
+    return case.set_up()
+
+
+def counted(case, ranks, library):
+    """Runs a case; the rows of all steps of each rank."""
+    folder = os.path.join(case.path, "counts")
+    os.makedirs(folder)
+    names = {"LD_PRELOAD": library, "FSI_COUNTS": folder}
+    command = ["fsiPisoFoam", "-case", case.path]
+    if ranks == 1:
+        command = ["env", *(f"{k}={v}" for k, v in names.items()), *command]
+    else:
+        command = (["mpirun", "--oversubscribe", "-np", str(ranks)]
+                   + [word for k, v in names.items()
+                      for word in ("-x", f"{k}={v}")]
+                   + command + ["-parallel"])
+    with open(os.path.join(case.path, "log.fsiPisoFoam"), "w",
+              encoding="utf-8") as log:
+        subprocess.run(command, stdout=log, stderr=log, check=True)
+    rows = []
+    for rank in range(ranks):
+        with open(os.path.join(folder, f"{rank}.csv"),
+                  encoding="ascii") as stream:
+            rows.append([{k: float(v) for k, v in row.items()}
+                         for row in csv.DictReader(stream)])
+    return rows
+
+
+def measured(parts, rows, iterations):
+    """A row of the table: means over ranks of medians over steps, and the
+    largest rank."""
+    n_dims = len(parts)
+    width, number = LOAD[n_dims]
+    found = {"ranks": len(rows),
+             "cells": " x ".join(str(width*n) for n in parts),
+             "objects": number*len(rows), "p iterations": iterations}
+    for column, name in COLUMNS.items():
+        # The first row is the start
+        values = [statistics.median(step[column]
+                                    for step in rank[1 + WARM_UP:])
+                  for rank in rows]
+        if "argest" not in name:
+            found[name] = statistics.mean(values)
+        found[name + ", largest" if "argest" not in name
+              else name] = max(values)
+    found["MiB, largest"] = max(rank[-1]["memory"] for rank in rows)/1024
+    return found
+
+
+def table(n_dims, options):
+    """All rows of a table, with ratios to the first."""
+    rows = []
+    for parts in PARTS[n_dims]:
+        ranks = math.prod(parts)
+        if ranks > options.ranks:
+            continue
+        path = os.path.join(options.folder, f"ranks{n_dims}D-{ranks}")
+        case = build(path, parts, options.steps)
+        if ranks > 1:
+            case.decompose(*parts)
+        counts = counted(case, ranks, os.path.abspath(options.library))
+        iterations = statistics.median(
+            int(n) for n in re.findall(
+                r"(?m)^Time = .* p (\d+)",
+                results.read(path, "log.fsiPisoFoam"))[WARM_UP:])
+        row = measured(parts, counts, iterations)
+        for name in OF_ONE:
+            row[name + ", of one"] = row[name]/(rows or [row])[0][name]
+        rows.append(row)
+        print("; ".join(f"{k} {v:.4g}" if isinstance(v, float) else f"{k} {v}"
+                        for k, v in row.items()), flush=True)
+        shutil.rmtree(path)
+    return rows
+
+
+def main():
+    """Reads the command line."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    for name in ("folder", "results", "library"):
+        parser.add_argument(name)
+    parser.add_argument("-ranks", type=int, default=16)
+    parser.add_argument("-steps", type=int, default=10)
+    parser.add_argument("-dimensions", type=int, nargs="+", default=(2, 3))
+    options = parser.parse_args()
+    for n_dims in options.dimensions:
+        rows = table(n_dims, options)
+        path = os.path.join(options.results, f"ranks{n_dims}D.csv")
+        with open(path, "w", encoding="ascii", newline="") as stream:
+            writer = csv.DictWriter(stream, list(rows[0]))
+            writer.writeheader()
+            for row in rows:
+                writer.writerow({k: f"{v:.4g}" if isinstance(v, float) else v
+                                 for k, v in row.items()})
+        print(f"{path}: {len(rows)} rows", flush=True)
+
+
+main()
