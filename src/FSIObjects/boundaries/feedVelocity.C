@@ -62,8 +62,7 @@ void Foam::fsi::checkFeedVelocity
     {
         const vector given
         (
-            prescribed->displacement(start + dt)
-          - prescribed->displacement(start)
+            prescribed->shift(start, start + dt, grid.mesh().nGeometricD())
         );
         if (mag(given/dt - velocity) > 1e-6*mag(velocity))
         {

@@ -26,15 +26,9 @@ void Foam::fsi::prescribedBodies::displacement
     Eigen::MatrixXd& d
 ) const
 {
-    const vector shift =
-        motion_->displacement(time + dt) - motion_->displacement(time);
-    const vector turn = motion_->rotation(time + dt) - motion_->rotation(time);
-    const scalar angle = mag(turn);
-    const vector axis(turn/max(angle, VSMALL));
-    const scalar sine = std::sin(angle);
-    const scalar versine = 2*sqr(std::sin(0.5*angle));
-
     const label nDims = shape().nDims();
+    const vector shift(motion_->shift(time, time + dt, nDims));
+    const tensor turn(motion_->turn(time, time + dt, nDims));
     d.resize(positions().rows(), positions().cols());
     for (label copyi = 0; copyi < size(); ++copyi)
     {
@@ -47,8 +41,7 @@ void Foam::fsi::prescribedBodies::displacement
             {
                 arm[i] = x(nodei, i) - centre[i];
             }
-            const vector across(axis ^ arm);
-            const vector move(shift + versine*(axis ^ across) + sine*across);
+            const vector move(shift + (turn & arm));
             for (label i = 0; i < nDims; ++i)
             {
                 d(nodei, nDims*copyi + i) = move[i];

@@ -2,7 +2,6 @@
 
 #include "fixedMotion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -19,20 +18,20 @@ namespace fsi
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::fixedMotion::fixedMotion(const dictionary& dict)
-{
-    checkKeys(dict, {"type"});
-}
+:
+    bodyMotion(dict, wordList())
+{}
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vector Foam::fsi::fixedMotion::displacement(const scalar time) const
+Foam::vector Foam::fsi::fixedMotion::displacement(const scalar clock) const
 {
     return Zero;
 }
 
 
-Foam::vector Foam::fsi::fixedMotion::rotation(const scalar time) const
+Foam::vector Foam::fsi::fixedMotion::rotation(const scalar clock) const
 {
     return Zero;
 }

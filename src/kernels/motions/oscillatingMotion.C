@@ -3,7 +3,6 @@
 #include "oscillatingMotion.H"
 #include "readBetween.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -22,24 +21,44 @@ namespace fsi
 
 Foam::fsi::oscillatingMotion::oscillatingMotion(const dictionary& dict)
 :
-    amplitude_(readFinite(dict, "amplitude")),
-    frequency_(readPositive(dict, "frequency"))
+    bodyMotion
+    (
+        dict, {"amplitude", "rotationAmplitude", "frequency", "phase"}
+    ),
+    amplitude_(readFinite(dict, "amplitude", Zero)),
+    rotationAmplitude_(readFinite(dict, "rotationAmplitude", Zero)),
+    frequency_(readPositive(dict, "frequency")),
+    phase_(readScalarBetween(dict, "phase", 0, -GREAT, GREAT))
 {
-    checkKeys(dict, {"type", "amplitude", "frequency"});
+    if (!dict.found("amplitude") && !dict.found("rotationAmplitude"))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'amplitude' or 'rotationAmplitude' must be in dictionary "
+            << dict.name() << exit(FatalIOError);
+    }
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vector Foam::fsi::oscillatingMotion::displacement(const scalar time) const
+Foam::vector Foam::fsi::oscillatingMotion::displacement
+(
+    const scalar clock
+) const
 {
-    return amplitude_*std::sin(constant::mathematical::twoPi*frequency_*time);
+    return sine(clock)*amplitude_;
 }
 
 
-Foam::vector Foam::fsi::oscillatingMotion::rotation(const scalar time) const
+Foam::vector Foam::fsi::oscillatingMotion::rotation(const scalar clock) const
 {
-    return Zero;
+    return sine(clock)*rotationAmplitude_;
+}
+
+
+Foam::scalar Foam::fsi::oscillatingMotion::sine(const scalar clock) const
+{
+    return std::sin(constant::mathematical::twoPi*frequency_*clock + phase_);
 }
 
 

@@ -3,7 +3,6 @@
 #include "rotatingMotion.H"
 #include "readBetween.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -21,23 +20,22 @@ namespace fsi
 
 Foam::fsi::rotatingMotion::rotatingMotion(const dictionary& dict)
 :
+    bodyMotion(dict, {"angularVelocity"}),
     angularVelocity_(readFinite(dict, "angularVelocity"))
-{
-    checkKeys(dict, {"type", "angularVelocity"});
-}
+{}
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::vector Foam::fsi::rotatingMotion::displacement(const scalar time) const
+Foam::vector Foam::fsi::rotatingMotion::displacement(const scalar clock) const
 {
     return Zero;
 }
 
 
-Foam::vector Foam::fsi::rotatingMotion::rotation(const scalar time) const
+Foam::vector Foam::fsi::rotatingMotion::rotation(const scalar clock) const
 {
-    return time*angularVelocity_;
+    return clock*angularVelocity_;
 }
 
 

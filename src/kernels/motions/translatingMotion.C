@@ -3,7 +3,6 @@
 #include "translatingMotion.H"
 #include "readBetween.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -21,21 +20,23 @@ namespace fsi
 
 Foam::fsi::translatingMotion::translatingMotion(const dictionary& dict)
 :
+    bodyMotion(dict, {"velocity"}),
     velocity_(readFinite(dict, "velocity"))
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::fsi::translatingMotion::displacement
+(
+    const scalar clock
+) const
 {
-    checkKeys(dict, {"type", "velocity"});
+    return clock*velocity_;
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::vector Foam::fsi::translatingMotion::displacement(const scalar time) const
-{
-    return time*velocity_;
-}
-
-
-Foam::vector Foam::fsi::translatingMotion::rotation(const scalar time) const
+Foam::vector Foam::fsi::translatingMotion::rotation(const scalar clock) const
 {
     return Zero;
 }
