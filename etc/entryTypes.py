@@ -18,6 +18,7 @@ READERS = {
     "readAngle": ("number", ""),
     "readMatrix": ("numbers", ""),
     "readField": ("numbers", ""),
+    "readFunction": ("function of time", ""),
 }
 TYPES = {
     "scalar": "number", "label": "whole number", "Switch": "yes or no",
@@ -33,6 +34,7 @@ OTHERS = {
     "type": "word", "restCurvature": "number or word",
     "counts": "whole numbers", "areaFraction": "number",
     "quaternion": "quaternion", "objects": "list of dictionaries",
+    "motions": "list of dictionaries",
     "file": "file name",
     "centre": "vector", "faces": "whole numbers", "elements": "whole numbers",
     "libs": "file names", "U": "word", "p": "word", "simulationType": "word",

@@ -37,11 +37,11 @@ Foam::fsi::functionMotion::functionMotion(const dictionary& dict)
 {
     if (dict.found("displacement"))
     {
-        displacement_ = newFunction<vector>(dict, "displacement");
+        displacement_ = readFunction<vector>(dict, "displacement");
     }
     if (dict.found("rotation"))
     {
-        rotation_ = newFunction<vector>(dict, "rotation");
+        rotation_ = readFunction<vector>(dict, "rotation");
     }
     if (!displacement_.valid() && !rotation_.valid())
     {
