@@ -34,7 +34,6 @@ RANKS = (
     "src/compatibility/openfoamCase.H",
     "src/compatibility/openfoamRanks.H",
     "src/FSIObjects/output/",
-    "src/FSIObjects/population/bodyGroups.C",
 )
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')

@@ -87,10 +87,12 @@ def main(folder, count=20):
         n_kills, n_aside = chain(killed, ranks, delays)
         total += n_kills
         aside += n_aside
-        rank = "" if ranks == 1 else "processor1"
-        one, other = (result(os.path.join(c, rank, END))
-                      for c in (path + "whole", killed))
-        wrong = [k for k in one if one[k] != other.get(k)]
+        folders = [""] if ranks == 1 else ["processor0", "processor1"]
+        wrong = []
+        for folder_of in folders:
+            one, other = (result(os.path.join(c, folder_of, END))
+                          for c in (path + "whole", killed))
+            wrong += [k for k in one if one[k] != other.get(k)]
         same += not wrong
         if wrong:
             report.check(f"{name}: the same to the last bit", False,

@@ -8,8 +8,8 @@
 #include "openfoamVersion.H"
 #include "population.H"
 #include "readBetween.H"
+#include "stateFile.H"
 #include "sumOverRanks.H"
-#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

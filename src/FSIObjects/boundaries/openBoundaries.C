@@ -4,8 +4,8 @@
 #include "errorOf.H"
 #include "dictionaryCheck.H"
 #include "openfoamVersion.H"
+#include "stateFile.H"
 #include "userVariables.H"
-#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

@@ -3,8 +3,8 @@
 #include "objectContact.H"
 #include "errorOf.H"
 #include "openfoamVersion.H"
+#include "stateFile.H"
 #include "sumOverRanks.H"
-#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

@@ -7,10 +7,10 @@
 #include "openfoamMesh.H"
 #include "OSspecific.H"
 #include "stateChecks.H"
+#include "stateFile.H"
 #include "sumOverRanks.H"
 #include "surfaceFields.H"
 #include "volFields.H"
-#include "writtenDictionary.H"
 #include "writtenFiles.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -73,7 +73,8 @@ static void appendWritten(const fvMesh& mesh, DynamicList<word>& names)
 }
 
 
-//- Warn if a listed file is not there, fatal if on some ranks or cut
+//- Warn if a listed file is not there, fatal if on some ranks or cut. The state
+//  in `uniform` is that of the first rank
 static void checkFile
 (
     const dictionary& list,
@@ -86,7 +87,8 @@ static void checkFile
     (
         stateFile::input(time, nameOf(time), folder, file.name)
     );
-    const fileName path(foundPath(io));
+    const fileName here(foundPath(io));
+    const fileName path(folder.empty() ? here : ofFirstRank(here));
     const bool found = !path.empty();
     label nFound = 0;
     const List<label> all(gatherOverRanks(label(found)));
@@ -169,7 +171,6 @@ void Foam::fsi::restartFiles::check(const fvMesh& mesh)
 {
     const Time& time = mesh.time();
     const dictionary list(readState(time, "fsiRestart"));
-    stateChecks::compareRanks(list);
     if (list.empty())
     {
         return;

@@ -5,8 +5,8 @@
 #include "backwardStep.H"
 #include "openfoamMesh.H"
 #include "openfoamVersion.H"
+#include "stateFile.H"
 #include "sumOverRanks.H"
-#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

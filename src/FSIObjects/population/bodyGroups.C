@@ -3,14 +3,40 @@
 #include "bodyGroups.H"
 #include "dictionaryCheck.H"
 #include "IOobjectList.H"
+#include "latticeRanks.H"
 #include "openfoamVersion.H"
 #include "stateChecks.H"
+#include "stateFile.H"
 #include "userVariables.H"
-#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
 const Foam::word Foam::fsi::bodyGroups::folder("fsiObjects");
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Names of the files that the first rank finds in a folder
+static wordList namesIn
+(
+    const Time& time,
+    const fileName& instance,
+    const fileName& local
+)
+{
+    return ofFirstRank
+    (
+        wordList(IOobjectList(time, instance, local).sortedNames())
+    );
+}
+
+} // End namespace fsi
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -44,7 +70,6 @@ void Foam::fsi::bodyGroups::readGroup
             )
         )
     );
-    stateChecks::compareRanks(state);
     checkSubDicts(state, {"motion"});
     motions_.append(state.subDict("motion"));
     groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
@@ -103,24 +128,22 @@ Foam::label Foam::fsi::bodyGroups::append
 
 void Foam::fsi::bodyGroups::read(const direction nDims, const label nextId)
 {
-    const IOobjectList files(time_, caseConstant(time_), folder);
-    const wordList names(files.sortedNames());
-    stateChecks::compareFiles(names, caseConstant(time_)/folder);
+    const wordList names(namesIn(time_, caseConstant(time_), folder));
     labelHashSet taken;
     for (const word& name : names)
     {
         readGroup(name, nDims, nextId, taken);
     }
 
-    const IOobjectList states(time_, nameOf(time_), "uniform"/folder);
-    for (const word& name : states.sortedNames())
+    const fileName local("uniform"/folder);
+    for (const word& name : namesIn(time_, nameOf(time_), local))
     {
-        if (!files.found(name))
+        if (!isIn(names, name))
         {
             FatalErrorInFunction
                 << "There is no shape "
                 << time_.path()/caseConstant(time_)/folder/name
-                << " of the objects in " << pathOf(*states[name]) << nl
+                << " of the objects in " << time_.timePath()/local/name << nl
                 << "Restore it, or run seedObjects"
                 << exit(FatalError);
         }
@@ -148,10 +171,6 @@ void Foam::fsi::bodyGroups::write() const
 
 void Foam::fsi::bodyGroups::writeShapes() const
 {
-    if (!Pstream::master())
-    {
-        return;
-    }
     forAll(shapes_, groupi)
     {
         writeFile

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "entryPlaces.H"
-#include "IFstream.H"
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <iterator>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -14,22 +12,6 @@ namespace Foam
 {
 namespace fsi
 {
-
-//- The whole of a file
-static std::string contentOf(const fileName& file)
-{
-    IFstream is(file);
-    if (!is.good())
-    {
-        return std::string();
-    }
-    return std::string
-    (
-        std::istreambuf_iterator<char>(is.stdStream()),
-        std::istreambuf_iterator<char>()
-    );
-}
-
 
 //- Bytes of a value as the header's entry arch tells (label=32;), or what they
 //  are here
@@ -140,9 +122,9 @@ void Foam::fsi::entryPlaces::readDigits()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::entryPlaces::entryPlaces(const fileName& file)
+Foam::fsi::entryPlaces::entryPlaces(const std::string& text)
 :
-    text_(contentOf(file)),
+    text_(text),
     binary_(false),
     scalarSize_(bytesOf(text_, "scalar", sizeof(scalar))),
     labelSize_(bytesOf(text_, "label", sizeof(label)))
@@ -184,7 +166,6 @@ Foam::fsi::entryPlaces::entryPlaces(const fileName& file)
             ++at_;
         }
     }
-    text_.clear();
 }
 
 

@@ -5,7 +5,7 @@
 #include "errorOf.H"
 #include "openfoamVersion.H"
 #include "stateChecks.H"
-#include "writtenDictionary.H"
+#include "stateFile.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -24,7 +24,6 @@ void Foam::fsi::population::readCounters()
             << exit(FatalError);
     }
     const dictionary dict(stateFile::read(io));
-    stateChecks::compareRanks(dict);
     checkKeys
     (
         dict,

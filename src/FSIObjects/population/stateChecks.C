@@ -2,51 +2,8 @@
 
 #include "stateChecks.H"
 #include "openfoamVersion.H"
-#include "stateFile.H"
-#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::stateChecks::compareRanks(const dictionary& state)
-{
-    const wordList sums(gatherOverRanks(stateFile::sum(state)));
-    forAll(sums, ranki)
-    {
-        if (sums[ranki] != sums[0])
-        {
-            FatalIOErrorInFunction(state)
-                << "Entry 'checkSums': rank " << ranki << " has other objects"
-                << " than rank 0 in its file of the name "
-                << fileName(state.name()).name() << nl
-                << "All ranks need the same state: run reconstructPar and"
-                << " decomposePar. redistributePar gives new ranks the state"
-                << " of another time" << exit(FatalIOError);
-        }
-    }
-}
-
-
-void Foam::fsi::stateChecks::compareFiles
-(
-    const wordList& names,
-    const fileName& folder
-)
-{
-    const List<wordList> all(gatherOverRanks(names));
-    forAll(all, ranki)
-    {
-        if (all[ranki] != all[0])
-        {
-            FatalErrorInFunction
-                << "Rank " << ranki << " finds the files "
-                << flatOutput(all[ranki]) << " in " << folder
-                << " but rank 0 " << flatOutput(all[0]) << nl
-                << "All ranks need the case's folder constant"
-                << exit(FatalError);
-        }
-    }
-}
-
 
 void Foam::fsi::stateChecks::checkShape
 (

@@ -3,9 +3,9 @@
 #include "pressureLevel.H"
 #include "errorOf.H"
 #include "readBetween.H"
+#include "stateFile.H"
 #include "stepControls.H"
 #include "sumOverRanks.H"
-#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "timeStep.H"
+#include "stateFile.H"
 #include "surfaceFields.H"
 #include "openfoamVersion.H"
 #include "fsiStep.H"
 #include "dictionaryCheck.H"
 #include "sumOverRanks.H"
-#include "writtenDictionary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

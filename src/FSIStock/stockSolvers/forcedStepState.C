@@ -4,7 +4,7 @@
 #include "errorOf.H"
 #include "matrixEntry.H"
 #include "openfoamVersion.H"
-#include "writtenDictionary.H"
+#include "stateFile.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

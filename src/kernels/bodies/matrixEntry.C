@@ -15,8 +15,10 @@ void Foam::fsi::writeMatrix
     const Eigen::MatrixXd& matrix
 )
 {
-    List<scalar> values(matrix.size());
-    std::copy_n(matrix.data(), values.size(), values.begin());
+    const UList<scalar> values
+    (
+        const_cast<scalar*>(matrix.data()), matrix.size()
+    );
     // With its type, so that a dictionary can read it from a binary stream
     putList(os, key, values);
 }

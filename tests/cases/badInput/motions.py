@@ -11,6 +11,7 @@ import re
 import sys
 
 import fsiCase
+import results
 from refused import refused
 
 
@@ -89,8 +90,7 @@ def check_one_place(report, folder):
         text = (text[:found.start(2)] + " ".join(half + half)
                 + text[found.end(2):])
         with open(name, "w", encoding="ascii") as stream:
-            stream.write(re.sub(r"checkSums\s*\{.*?\}", "", text,
-                                flags=re.DOTALL))
+            stream.write(results.without_sums(text))
         refused(report, f"two objects at one place, {len(cells)}D", case,
                 "fsiPisoFoam", ("FATAL ERROR", "Objects 0 of shape a and 1 of "
                                 "shape a", "overlap at the start"))

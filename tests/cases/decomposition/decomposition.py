@@ -128,6 +128,22 @@ def check_restart(report, folder):
     report.check("a state of one rank goes on on two", error < 1e-9, f"{error}")
 
 
+def check_redistributed(report, folder):
+    """Two ranks' state goes on on three; redistributePar gives the third one
+    the objects of another time, which do not count."""
+    serial = anyRanks.channel(os.path.join(folder, "serial"))
+    serial.run("fsiPisoFoam")
+    case = anyRanks.channel(os.path.join(folder, "redistributed"))
+    case.control(endTime=0.02)
+    case.run("fsiPisoFoam", ranks=anyRanks.decompose(case, (2, 1, 1)))
+    case.file("system/decomposeParDict", "numberOfSubdomains 3; method simple;"
+              " simpleCoeffs { n (3 1 1); delta 0.001; }\n")
+    case.run("redistributePar", "-overwrite", "-latestTime", ranks=3)
+    case.control(endTime=0.04)
+    case.run("fsiPisoFoam", ranks=3)
+    anyRanks.same(report, "redistributePar", serial, case)
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -138,6 +154,7 @@ def main(folder):
     report.attempt("films", check_film, report, folder)
     report.attempt("weak coupling", check_weak, report, folder)
     report.attempt("restart", check_restart, report, folder)
+    report.attempt("redistributed", check_redistributed, report, folder)
 
 
 if __name__ == "__main__":

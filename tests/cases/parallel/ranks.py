@@ -59,7 +59,7 @@ def solve(case):
 
 
 def places(case, rank, time):
-    """Centroid and size of each object, as a rank wrote them."""
+    """Centroid and size of each object, as the first rank wrote them."""
     found = {}
     for i, polygon in results.outlines(case, time, rank).items():
         size = math.sqrt(abs(results.area(polygon)))
@@ -97,10 +97,7 @@ def check(report, folder, tutorial, steps):
     for n, case in cases.items():
         if case is None:
             continue
-        found = [places(case, f"processor{r}", time) for r in range(n)]
-        report.check(f"{tutorial}: {n} ranks hold the same objects",
-                     all(f == found[0] for f in found), "they differ")
-        error = difference(expected, found[0])
+        error = difference(expected, places(case, "processor0", time))
         print(f"    {n} ranks: {error:.2e} of an object's size")
         report.check(f"{tutorial}: {n} ranks give the trajectories of one",
                      error <= TOLERANCE, f"{error:.2e} of an object's size")

@@ -27,6 +27,9 @@ def check_restart(report, folder):
         states.append([smallCase.result(
             os.path.join(case.path, f"processor{rank}", "0.04"))
             for rank in range(n_ranks)])
+    report.check("the first rank alone writes the state",
+                 ["uniform/fsiPopulation" in state for state in states[0]]
+                 == [True, False, False], [list(s) for s in states[0]])
     for rank, (whole, parts) in enumerate(zip(*states)):
         differ = [name for name in sorted(set(whole) | set(parts))
                   if whole.get(name) != parts.get(name)]

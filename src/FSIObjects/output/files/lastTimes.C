@@ -89,7 +89,9 @@ static instant lastComplete(const fileNameList& folders)
         bool complete = anyHoldsState(folders, times[i].name());
         for (const fileName& folder : folders)
         {
-            complete = complete && fault(folder/times[i].name(), false).empty();
+            complete =
+                complete
+             && fault(folder/times[i].name(), wordList(1, word("p"))).empty();
         }
         if (complete)
         {

@@ -108,11 +108,10 @@ bool Foam::fsi::writtenFiles::hasEnd(const fileName& file)
 Foam::fileName Foam::fsi::writtenFiles::fault
 (
     const fileName& timeFolder,
-    const bool all
+    const wordList& fields
 )
 {
-    const wordList names(all ? fieldsOf(timeFolder) : wordList(1, word("p")));
-    for (const word& name : names)
+    for (const word& name : fields)
     {
         if (!isFile(timeFolder/name))
         {
@@ -186,7 +185,7 @@ void Foam::fsi::writtenFiles::check(const Time& time)
     finishWriting();
     gatherOverRanks(true);
     const fileName folder(folderOf(time));
-    fileName wrong(fault(folder, true));
+    fileName wrong(fault(folder, ofFirstRank(fieldsOf(folder))));
     const fileName state
     (
         folder/"uniform"/"functionObjects"/"functionObjectProperties"
