@@ -6,6 +6,39 @@
 #include "simplexDistance.H"
 #include "surfaceWinding.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- The face that reaches farthest along an axis becomes the first one
+static void putFirst
+(
+    labelList& faces,
+    const closedSurface& surface,
+    const vector& axis
+)
+{
+    scalar most = -GREAT;
+    forAll(faces, i)
+    {
+        const surfaceFace& f = surface.faces()[faces[i]];
+        const scalar place =
+            axis & (surface.points()[f[0]] + surface.points()[f[1]]);
+        if (place > most)
+        {
+            most = place;
+            Swap(faces[0], faces[i]);
+        }
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::boundBox Foam::fsi::closedSurface::faceBox(const label facei) const
@@ -61,6 +94,9 @@ Foam::scalar Foam::fsi::closedSurface::leastDistanceSqr
     keepNear(mine, box, (1 + 1e-9)*(limit + other.outerRadius_));
     other.keepNear(others, box, limit);
     keepNear(mine, box, limit);
+    const vector axis(other.centroid_ - centroid_);
+    putFirst(mine, *this, axis);
+    putFirst(others, other, -axis);
 
     scalar least = sqr(limit), reach = limit;
     for (const label i : mine)
@@ -162,24 +198,6 @@ Foam::fsi::closedSurface Foam::fsi::closedSurface::moved
 }
 
 
-bool Foam::fsi::closedSurface::reaches(const boundBox& box) const
-{
-    for (const point& p : points_)
-    {
-        bool within = true;
-        for (direction d = 0; d < nDims_; ++d)
-        {
-            within = within && p[d] > box.min()[d] && p[d] < box.max()[d];
-        }
-        if (within)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
 bool Foam::fsi::closedSurface::inside
 (
     const boundBox& box,
@@ -217,6 +235,13 @@ bool Foam::fsi::closedSurface::closerThan
     if (known != UNKNOWN)
     {
         return known == YES;
+    }
+    const vector axes(solved());
+    const vector between(cmptMultiply(axes, other.centroid_ - centroid_));
+    const scalar wide = gap + 1e-9*(gap + outerRadius_);
+    if (hullsApart(points_, other.points_, axes, between, wide))
+    {
+        return false;
     }
     const scalar least = leastDistanceSqr(other, max(gap, 1e-30), true);
     return least < sqr(gap) || least == 0 || nested(other);

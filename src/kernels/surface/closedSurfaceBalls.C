@@ -60,4 +60,22 @@ Foam::fsi::closedSurface::answer Foam::fsi::closedSurface::fromBalls
 }
 
 
+bool Foam::fsi::closedSurface::reaches(const boundBox& box) const
+{
+    for (const point& p : points_)
+    {
+        bool within = true;
+        for (direction d = 0; d < nDims_; ++d)
+        {
+            within = within && p[d] > box.min()[d] && p[d] < box.max()[d];
+        }
+        if (within)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 // ************************************************************************* //

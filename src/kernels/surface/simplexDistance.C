@@ -147,6 +147,24 @@ static scalar triangleDistanceSqr(const point (&a)[3], const point (&b)[3])
     return least;
 }
 
+
+//- The point that is farthest along an axis
+static const point& farthest(const UList<point>& points, const vector& axis)
+{
+    label farthesti = 0;
+    scalar most = -GREAT;
+    forAll(points, i)
+    {
+        const scalar place = axis & points[i];
+        if (place > most)
+        {
+            most = place;
+            farthesti = i;
+        }
+    }
+    return points[farthesti];
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -170,6 +188,39 @@ Foam::scalar Foam::fsi::simplexDistanceSqr
         {x[f[0]], x[f[1]], x[f[2]]},
         {y[g[0]], y[g[1]], y[g[2]]}
     );
+}
+
+
+bool Foam::fsi::hullsApart
+(
+    const UList<point>& x,
+    const UList<point>& y,
+    const vector& solved,
+    vector between,
+    const scalar gap
+)
+{
+    for (label i = 0; i < 60; ++i)
+    {
+        const scalar length = mag(between);
+        if (length <= gap)
+        {
+            return false;
+        }
+        const vector axis(between/length);
+        const vector corner
+        (
+            cmptMultiply(solved, farthest(y, -axis) - farthest(x, axis))
+        );
+        if ((axis & corner) > gap)
+        {
+            return true;
+        }
+        const vector step(corner - between);
+        const scalar part = -(between & step)/max(magSqr(step), VSMALL);
+        between += min(max(part, scalar(0)), scalar(1))*step;
+    }
+    return false;
 }
 
 
