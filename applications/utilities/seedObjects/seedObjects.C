@@ -21,6 +21,10 @@ Usage
       - \par -dict \<file\>
         Alternative dictionary
 
+      - \par -weights
+        Write the field cellWork, by which decomposePar can cut ranks of equal
+        work: entry `weightField cellWork;` of decomposeParDict
+
     For the dictionary see Foam::fsi::seeding.
 
 \*---------------------------------------------------------------------------*/
@@ -36,6 +40,7 @@ Usage
 #include "openfoamCase.H"
 #include "seeding.H"
 #include "timeFolders.H"
+#include "volFields.H"
 
 using namespace Foam;
 
@@ -111,42 +116,101 @@ static scalar contactRange(const Time& runTime, const scalar spacing)
 }
 
 
+//- The domain of the mesh, and the dictionary. The mesh takes more memory than
+//  objects: it goes before they come
+static fsi::seedDomain readDomain
+(
+    const argList& args,
+    const Time& runTime,
+    dictionary& dict
+)
+{
+    #include "createCaseMesh.H"
+
+    dict = IOdictionary(fsi::systemFile(args, mesh, "seedObjectsDict"));
+    const fsi::cartesianMesh lattice(mesh);
+    return fsi::seedDomain
+    {
+        lattice.bounds(),
+        lattice.spacing(),
+        lattice.thickness(),
+        lattice.nDims(),
+        contactRange(runTime, lattice.spacing()),
+        lattice.period()
+    };
+}
+
+
+//- Write the work of each cell, in that of a cell without objects. A step takes
+//  for a node of an object some four times as long as for such a cell
+static void writeWork
+(
+    const argList& args,
+    const Time& runTime,
+    const fsi::population& objects
+)
+{
+    #include "createCaseMesh.H"
+
+    const fsi::cartesianMesh lattice(mesh);
+    volScalarField work
+    (
+        IOobject("cellWork", fsi::nameOf(runTime), mesh),
+        mesh,
+        dimensionedScalar("work", dimless, 1)
+    );
+    const label nDims = objects.nDims();
+    forAll(objects.groups(), groupi)
+    {
+        const auto& positions = objects.groups()[groupi].positions();
+        for (label column = 0; column < positions.cols(); column += nDims)
+        {
+            for (label nodei = 0; nodei < positions.rows(); ++nodei)
+            {
+                point p(0, 0, objects.planeZ());
+                for (label d = 0; d < nDims; ++d)
+                {
+                    p[d] = positions(nodei, column + d);
+                }
+                const label celli = lattice.findCell(p);
+                if (celli >= 0)
+                {
+                    work[celli] += 4;
+                }
+            }
+        }
+    }
+    work.write();
+    Info<< "Wrote " << work.name() << nl;
+}
+
+
 int main(int argc, char *argv[])
 {
     argList::addNote("Make the objects of a case from a dictionary");
     argList::noParallel();
     #include "addRegionOption.H"
     argList::addOption("dict", "file", "Alternative seedObjectsDict");
+    argList::addBoolOption("weights", "Write the cells' work for decomposePar");
 
     #include "setRootCase.H"
     #include "createTime.H"
     fsi::nameByFolder(runTime);
     refuseRun(runTime);
-    #include "createCaseMesh.H"
 
-    const IOdictionary dict(fsi::systemFile(args, mesh, "seedObjectsDict"));
-
-    const fsi::cartesianMesh lattice(mesh);
-    const fsi::seeding seeding
-    (
-        runTime,
-        fsi::seedDomain
-        {
-            lattice.bounds(),
-            lattice.spacing(),
-            lattice.thickness(),
-            lattice.nDims(),
-            contactRange(runTime, lattice.spacing()),
-            lattice.period()
-        },
-        dict
-    );
+    dictionary dict;
+    const fsi::seedDomain domain(readDomain(args, runTime, dict));
+    const fsi::seeding seeding(runTime, domain, dict);
 
     Info<< "Seeded" << nl;
     seeding.report(Info);
     runTime.cpuTimeIncrement();
     write(runTime, seeding.objects());
     seeding.writeRecord(runTime);
+    if (fsi::hasOption(args, "weights"))
+    {
+        writeWork(args, runTime, seeding.objects());
+    }
     Info<< "Wrote all in " << runTime.cpuTimeIncrement() << " s, "
         << runTime.elapsedCpuTime() << " s since the start" << nl
         << "End" << nl << endl;

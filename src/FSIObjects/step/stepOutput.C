@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "stepOutput.H"
+#include "IOmanip.H"
 #include "meanFluidVelocity.H"
 #include "openfoamMesh.H"
 #include "restartFiles.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -22,6 +24,22 @@ static IOobject writtenField(const fvMesh& mesh, const word& name)
         IOobject::NO_READ,
         IOobject::AUTO_WRITE
     );
+}
+
+
+//- Print a kind of work of the ranks, and how much more the largest has than
+//  the mean
+static void reportWork
+(
+    const char* name,
+    const label work,
+    Ostream& os
+)
+{
+    const scalarList all(gatherOverRanks(scalar(work)));
+    const scalar mean = sum(all)/all.size();
+    os  << "    " << setw(10) << name << setw(14) << min(all) << setw(14)
+        << max(all) << setw(14) << max(all)/max(mean, SMALL) << nl;
 }
 
 } // End namespace fsi
@@ -170,6 +188,16 @@ void Foam::fsi::stepOutput::summary
     error.report(os);
     objects_.log().report(os);
     objects_.timer().report(os);
+    if (severalRanks())
+    {
+        os  << "Work of the ranks" << nl << "    " << setw(10) << "kind"
+            << setw(14) << "least" << setw(14) << "most" << setw(14)
+            << "over mean" << nl;
+        reportWork("cells", objects_.grid().mesh().nCells(), os);
+        reportWork("nodes", objects_.bodies().nNodes(), os);
+        reportWork("pairs", objects_.contact().nPairs(), os);
+        os  << endl;
+    }
 }
 
 

@@ -11,6 +11,7 @@ in a row and in boxes, and one without cells, hold the objects of one rank.
 """
 
 import os
+import re
 import sys
 
 import anyRanks
@@ -144,6 +145,37 @@ def check_redistributed(report, folder):
     anyRanks.same(report, "redistributePar", serial, case)
 
 
+def work(case):
+    """Least and most of a rank, and most over the mean, by kind, as the log
+    tells."""
+    log = results.read(case.path, "log.fsiPisoFoam")
+    return {name: tuple(map(float, numbers.split())) for name, numbers in
+            re.findall(r"(?m)^ +(cells|nodes|pairs)((?: +\S+){3})$",
+                       log[log.find("Work of the ranks"):])}
+
+
+def check_weights(report, folder):
+    """Ranks of equal work: objects in one half of the box."""
+    case = fsiCase.Case(
+        os.path.join(folder, "weights"), cells=(32, 32),
+        shapes="disc { shape { type circle; radius 0.1; }"
+               " material { density 1; E 100; } }",
+        placements="a { type lattice; shape disc; spacing (0.25 0.25 0);"
+                   " region { min (0 0 0); max (0.5 1 0); } }",
+        deltaT=0.01, endTime=0.02).set_up()
+    case.run("seedObjects", "-weights")
+    case.file("system/decomposeParDict",
+              "numberOfSubdomains 2; method hierarchical; weightField cellWork;"
+              " hierarchicalCoeffs { n (2 1 1); order xyz; delta 0.001; }\n")
+    case.run("decomposePar")
+    case.run("fsiPisoFoam", ranks=2)
+    found = work(case)
+    least, most, over = found["cells"]
+    report.check("the rank with the objects has less cells",
+                 least + most == 32*32 and 256 <= least < 480
+                 and abs(over - most/512) < 1e-3, found)
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -155,6 +187,7 @@ def main(folder):
     report.attempt("weak coupling", check_weak, report, folder)
     report.attempt("restart", check_restart, report, folder)
     report.attempt("redistributed", check_redistributed, report, folder)
+    report.attempt("weights", check_weights, report, folder)
 
 
 if __name__ == "__main__":
