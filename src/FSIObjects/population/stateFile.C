@@ -2,7 +2,6 @@
 
 #include "stateFile.H"
 #include "contentSum.H"
-#include "entryPlaces.H"
 #include "errorOf.H"
 #include "IFstream.H"
 #include "latticeRanks.H"
@@ -11,14 +10,14 @@
 #include "openfoamVersion.H"
 #include "Time.H"
 
+#include <cctype>
+#include <cstdlib>
+#include <sstream>
+
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
 //- Entry with the sum of what is before it
 static const Foam::word sumName("checkSum");
-
-static const char* const advice =
-    "The file is damaged or was changed: restore it, start from another time,"
-    " or run seedObjects";
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -47,23 +46,97 @@ static std::string textOf(const fileName& file)
 }
 
 
-//- Take the sum out of a dictionary and compare it with that of the file
-static void compareSum(dictionary& dict, const word& present)
+//- Words of the last line until a place of a text that begins with a letter,
+//  where an entry begins
+static std::istringstream entryAt(const std::string& text, std::size_t place)
 {
-    if (!dict.found(sumName))
+    std::size_t start = text.rfind('\n', place);
+    while
+    (
+        start != std::string::npos && start > 0
+     && !std::isalpha(static_cast<unsigned char>(text[start + 1]))
+    )
     {
-        return;
+        start = text.rfind('\n', start - 1);
     }
-    const bool same =
-        !dict.isDict(sumName) && readEntry<word>(dict, sumName) == present;
-    dict.remove(sumName);
-    if (!same)
+    const std::size_t end = text.find('\n', start + 1);
+    return std::istringstream(text.substr(start + 1, end - start - 1));
+}
+
+
+//- The entry of a list that would have more values than its file can hold:
+//  noticed before memory is asked for; empty if there is none
+static word oversized(const std::string& text)
+{
+    static const char* const blanks = " \t\r\n";
+    const bool binary = text.find("binary") < text.find('}');
+    std::size_t at = text.find_first_of("({");
+    for (; at != std::string::npos; at = text.find_first_of("({", at + 1))
     {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << sumName << "' in file " << dict.name()
-            << " does not match the file's content" << nl << advice
-            << " (after a change on purpose, remove entry '" << sumName << "')"
-            << exit(FatalIOError);
+        const std::size_t end = text.find_last_not_of(blanks, at - 1);
+        const std::size_t before =
+            at == 0 || end == std::string::npos
+          ? end
+          : text.find_last_not_of("0123456789", end);
+        if (before == std::string::npos || before == end)
+        {
+            continue;
+        }
+        // Among the bytes of numbers only what has the type of a list counts
+        const std::size_t type = text.find_last_not_of(blanks, before);
+        const scalar n = std::strtod(text.c_str() + before + 1, nullptr);
+        const scalar most = (text[at] == '{' ? 1000.0 : 1.0)*text.size();
+        if
+        (
+            (n > most || text[before] == '-')
+         && (!binary || (type != std::string::npos && text[type] == '>'))
+        )
+        {
+            std::string key;
+            entryAt(text, before) >> key;
+            return word(key);
+        }
+    }
+    return word();
+}
+
+
+//- FatalError for an entry of a file, or for all of it
+static void refuse
+(
+    const fileName& file,
+    const word& key,
+    const std::string& fault
+)
+{
+    FatalErrorInFunction
+        << "Cannot read "
+        << (key.empty() ? "" : "entry '" + key + "' in ").c_str()
+        << "file " << file << ": " << fault.c_str() << nl
+        << "The file is damaged or was changed: restore it, start from another"
+        << " time, or run seedObjects (after a change on purpose, remove entry"
+        << " '" << sumName << "')" << exit(FatalError);
+}
+
+
+//- Refuse a file that does not match its sum, or claims to have long lists
+static void check(const fileName& file)
+{
+    const std::string text(textOf(file));
+    const std::size_t end = text.rfind('\n' + sumName);
+    if (end != std::string::npos)
+    {
+        std::string key, written;
+        entryAt(text, end + 1) >> key >> written;
+        if (written != contentSum::of(text, end + 1) + ';')
+        {
+            refuse(file, sumName, "it is not that of the file's content");
+        }
+    }
+    const word key(oversized(text));
+    if (!key.empty())
+    {
+        refuse(file, key, "a list has more values than the file can hold");
     }
 }
 
@@ -71,48 +144,34 @@ static void compareSum(dictionary& dict, const word& present)
 //- Read a file on this rank
 static dictionary readHere(const IOobject& io, const fileName& file)
 {
-    word key, sum;
-    autoPtr<entryPlaces> places;
-    {
-        const std::string text(textOf(file));
-        places.reset(new entryPlaces(text));
-        const std::size_t end = text.rfind('\n' + sumName);
-        sum = contentSum::of(text, end == std::string::npos ? 0 : end + 1);
-    }
+    check(file);
     dictionary dict;
-    caughtError error;
-    if (places->oversized().empty())
-    {
-        error = errorOf
-        (
-            [&]()
+    word key("FoamFile");
+    const caughtError error = errorOf
+    (
+        [&]()
+        {
+            IFstream is(file);
+            if (!IOobject(io).readHeader(is))
             {
-                IFstream is(file);
-                if (!IOobject(io).readHeader(is))
-                {
-                    FatalIOErrorInFunction(is)
-                        << "There is no header" << exit(FatalIOError);
-                }
-                is >> dict;
+                FatalIOErrorInFunction(is) << "no header" << exit(FatalIOError);
             }
-        );
-        key = places->entryAt(error.line);
-    }
-    else
-    {
-        key = places->oversized();
-        error.message = "a list has more values than the file can hold";
-    }
+            dict.name() = file;
+            bool more = true;
+            while (more)
+            {
+                token first(is);
+                key = first.isWord() ? first.wordToken() : key;
+                is.putBack(first);
+                more = !is.eof() && entry::New(dict, is);
+            }
+        }
+    );
     if (!error.message.empty())
     {
-        FatalErrorInFunction
-            << "Cannot read "
-            << (key.empty() ? "" : "entry '" + key + "' in ").c_str()
-            << "file " << file
-            << ": " << error.message.c_str() << nl << advice
-            << exit(FatalError);
+        refuse(file, key, error.message);
     }
-    compareSum(dict, sum);
+    dict.remove(sumName);
     return dict;
 }
 
