@@ -94,6 +94,7 @@ Foam::fsi::fsiObjects::fsiObjects
         readNonNegative(properties_, "shortWaveStress", 1)
     },
     gravity_(stockInput::gravity(mesh, properties_)),
+    loads_(bodies_),
     driving_(drivingForce::New(mesh, properties_)),
     contact_
     (

@@ -107,6 +107,7 @@ Foam::fsi::fsiObjects::groupNodal Foam::fsi::fsiObjects::forces
                 f(nodei, column) += group.shape().nodeMasses()[nodei]*ai;
             }
         }
+        loads_.add(mesh_.time().value(), groupi, group, f);
         group.prepareResponse(step.tau);
     }
     const stepTimer::section contact(timer_, stepTimer::part::contact);

@@ -2,6 +2,7 @@
 
 #include "bodyMotion.H"
 #include "dictionaryCheck.H"
+#include "openfoamFunction.H"
 #include "openfoamVersion.H"
 #include "readBetween.H"
 
@@ -60,7 +61,16 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
     const word motionType(dict.lookupOrDefault<word>("type", "free"));
     if (motionType == "free")
     {
-        checkKeys(dict, {"type"});
+        // The solver reads them; a wrong one is to be found when seeding
+        const wordList loads({"force", "torque"});
+        for (const word& load : loads)
+        {
+            if (dict.found(load))
+            {
+                readFunction<vector>(dict, load);
+            }
+        }
+        checkKeys(dict, {"type", loads[0], loads[1]});
         return autoPtr<bodyMotion>();
     }
 

@@ -14,8 +14,11 @@
    only fall.
 3. A rigid body keeps its area and its perimeter to the digits of the table.
 4. It goes on bit by bit after a restart.
+5. Bodies on which their weight less their buoyancy acts as a given force go as
+   under gravity, and a given torque turns a body as its inertia lets it.
 """
 
+import math
 import os
 import sys
 
@@ -23,6 +26,7 @@ import fsiCase
 import results
 
 STEPS = 100
+THICKNESS = 1/30
 OUTPUT = 10
 DISC = "shape { type circle; radius 0.2; }"
 CIRCLE = "shape { type circle; radius 0.12; }"
@@ -105,12 +109,60 @@ def rests(report, folder, name, shape, material):
                  f"{half} of {energy[0]} in the second half")
 
 
+def loaded(folder, name, motion, **changes):
+    """The rows of two objects, one elastic and one rigid, both with a load."""
+    case = fsiCase.Case(
+        os.path.join(folder, name), cells=(30, 30), viscosity=0.01,
+        shapes=f"disc {{ {CIRCLE} material {{ density 2; E 100; }}"
+               f" motion {{ {motion[0]} }} }}"
+               f"star {{ {STAR} material {{ type rigid; density 3; }}"
+               f" motion {{ {motion[1]} }} }}",
+        placements="a { type listed; shape disc; objects "
+                   "({ centre (0.3 0.6 0); }); }"
+                   "b { type listed; shape star; objects "
+                   "({ centre (0.7 0.6 0); }); }",
+        deltaT=0.01, endTime=0.2, writeInterval=1, **changes).set_up()
+    case.run("fsiPisoFoam")
+    return results.table(case.path, "objects.csv")
+
+
+def given_loads(report, folder):
+    """Check 5."""
+    falling = loaded(folder, "falling", ("", ""), gravity="(0 -2 0)")
+    excess = [-2*(density - 1)*falling[i]["area"]*THICKNESS
+              for i, density in ((0, 2), (1, 3))]
+    pushed = loaded(folder, "pushed", [
+        f"type free; force constant (0 {force:.17g} 0);" for force in excess])
+    speed = max(abs(row["velocityY"]) for row in falling)
+    worst = max(abs(a[c] - b[c]) for a, b in zip(falling, pushed)
+                for c in ("velocityX", "velocityY"))/speed
+    report.check("given forces in place of gravity",
+                 len(falling) == len(pushed) == 40 and worst < 1e-9,
+                 f"{len(pushed)} rows, {worst} of the speed apart")
+
+    # In next to no fluid: the torque grows with time, T = 1e-3 t
+    torque = "type free; torque table ((0 (0 0 0)) (1 (0 0 1e-3)));"
+    turned = loaded(folder, "turned", (torque, torque), density=1e-4)
+    # The disc's masses are those of its nodes; for the star, whose outline is
+    # r = 0.12 (1 + 0.3 cos(5 t)), the integral of r^4/4
+    sizes = {"disc": 2*math.pi/2,
+             "star": 3*math.pi/2*(1 + 3*0.3**2 + 3/8*0.3**4)}
+    for i, (name, size) in enumerate(sizes.items()):
+        inertia = size*THICKNESS*0.12**4
+        spin = 1e-3*0.01*0.01*sum(range(1, 21))/inertia
+        found = turned[-2 + i]["angularVelocityZ"]
+        print(f"    {name}: turns at {found:.4g}, for a solid {spin:.4g}")
+        report.check(f"torque on the {name}", 0.95 < found/spin < 1.02,
+                     f"{found}, not {spin}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
     whole = report.attempt("rigid and stiff", same_path, report, folder)
     if whole is not None:
         report.attempt("restart", restarted, report, folder, whole)
+    report.attempt("given loads", given_loads, report, folder)
     for name, shape, density in (("light", CIRCLE, 0.1), ("star", STAR, 0.3)):
         report.attempt(name, rests, report, folder, name, shape,
                        f"type rigid; density {density};")

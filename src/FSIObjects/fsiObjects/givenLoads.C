@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "givenLoads.H"
+#include "openfoamFunction.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Add forces of the rigid rotation that a torque sets off in one copy, whose
+//  nodes have these masses and places
+static void addTorque
+(
+    const Eigen::Map<const Eigen::VectorXd>& masses,
+    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    const vector& torque,
+    Eigen::Ref<Eigen::MatrixXd> force
+)
+{
+    const Eigen::Index nDims = x.cols();
+    Eigen::MatrixXd r(Eigen::MatrixXd::Zero(x.rows(), 3));
+    r.leftCols(nDims) =
+        x.rowwise() - (masses.transpose()*x/masses.sum()).eval().row(0);
+    Eigen::Vector3d axis(0, 0, torque.z());
+    if (nDims == 3)
+    {
+        axis = Eigen::Vector3d(torque.x(), torque.y(), torque.z());
+    }
+    const Eigen::Matrix3d S(r.transpose()*masses.asDiagonal()*r);
+    const Eigen::Vector3d alpha
+    (
+        (S.trace()*Eigen::Matrix3d::Identity() - S).ldlt().solve(axis)
+    );
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+    {
+        const Eigen::Vector3d arm(r.row(i).transpose());
+        force.row(i) += masses[i]*alpha.cross(arm).head(nDims).transpose();
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::givenLoads::givenLoads(const population& bodies)
+:
+    forces_(bodies.groups().size()),
+    torques_(bodies.groups().size())
+{
+    forAll(bodies.groups(), groupi)
+    {
+        const dictionary& motion = bodies.motion(groupi);
+        if (!bodies.groups()[groupi].movesFreely())
+        {
+            continue;
+        }
+        if (motion.found("force"))
+        {
+            forces_.set(groupi, readFunction<vector>(motion, "force"));
+        }
+        if (motion.found("torque"))
+        {
+            torques_.set(groupi, readFunction<vector>(motion, "torque"));
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::givenLoads::add
+(
+    const scalar time,
+    const label groupi,
+    const bodyGroup& group,
+    Eigen::MatrixXd& force
+) const
+{
+    const Eigen::Map<const Eigen::VectorXd> masses
+    (
+        group.shape().nodeMasses().cdata(), group.shape().nNodes()
+    );
+    const label nDims = group.shape().nDims();
+    if (forces_.set(groupi))
+    {
+        const vector a(forces_[groupi].value(time)/group.shape().mass());
+        for (Eigen::Index column = 0; column < force.cols(); ++column)
+        {
+            force.col(column) += masses*a[direction(column % nDims)];
+        }
+    }
+    for (label copyi = 0; torques_.set(groupi) && copyi < group.size(); ++copyi)
+    {
+        addTorque
+        (
+            masses,
+            group.positions().middleCols(nDims*copyi, nDims),
+            torques_[groupi].value(time),
+            force.middleCols(nDims*copyi, nDims)
+        );
+    }
+}
+
+
+// ************************************************************************* //
