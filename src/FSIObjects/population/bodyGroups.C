@@ -7,7 +7,6 @@
 #include "openfoamVersion.H"
 #include "stateChecks.H"
 #include "stateFile.H"
-#include "userVariables.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -161,7 +160,7 @@ void Foam::fsi::bodyGroups::write() const
             shapes_[groupi].name(), time_.writeFormat(),
             [&](Ostream& os)
             {
-                putDict(os, "motion", userVariables::without(motions_[groupi]));
+                putDict(os, "motion", motions_[groupi]);
                 groups_[groupi].write(os);
             }
         );

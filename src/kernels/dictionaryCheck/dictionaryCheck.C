@@ -81,7 +81,6 @@ void Foam::fsi::checkKeys(const dictionary& dict, const wordList& known)
             )
         )
         {
-            userVariables::note(dict, key);
             continue;
         }
         FatalIOErrorInFunction(dict)

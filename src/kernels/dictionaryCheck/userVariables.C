@@ -8,9 +8,7 @@
 #include "OSspecific.H"
 
 #include <cctype>
-#include <map>
 #include <regex>
-#include <set>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -20,14 +18,6 @@ namespace fsi
 {
 namespace userVariables
 {
-
-//- Entries that were noted, by the names of their dictionaries
-static std::map<std::string, std::set<word>>& noted()
-{
-    static std::map<std::string, std::set<word>> all;
-    return all;
-}
-
 
 //- A file's text without its comments. By hand: a regular expression over a
 //  long comment needs a stack as long
@@ -189,7 +179,8 @@ Foam::wordHashSet Foam::fsi::userVariables::usedIn(const fileName& file)
 
 bool Foam::fsi::userVariables::has(const dictionary& dict, const word& name)
 {
-    if (name == "FoamFile")
+    static const std::regex state("/(constant|uniform)/fsi(Objects|Pop)");
+    if (name == "FoamFile" || std::regex_search(dict.name(), state))
     {
         return true;
     }
@@ -211,31 +202,6 @@ bool Foam::fsi::userVariables::isCopied
     }
     IFstream is(file);
     return usedHasKey(dictionary(is), usedIn(file), key);
-}
-
-
-void Foam::fsi::userVariables::note(const dictionary& dict, const word& key)
-{
-    noted()[dict.name()].insert(key);
-}
-
-
-Foam::dictionary Foam::fsi::userVariables::without(const dictionary& dict)
-{
-    dictionary all(dict);
-    const std::set<word>& names = noted()[dict.name()];
-    for (const entry& e : dict)
-    {
-        if (names.count(e.keyword()))
-        {
-            all.remove(e.keyword());
-        }
-        else if (e.isDict())
-        {
-            all.subDict(e.keyword()) = without(e.dict());
-        }
-    }
-    return all;
 }
 
 

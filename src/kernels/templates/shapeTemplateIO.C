@@ -4,7 +4,6 @@
 #include "dictionaryCheck.H"
 #include "meshEntries.H"
 #include "openfoamVersion.H"
-#include "userVariables.H"
 #include "writtenShape.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -17,7 +16,7 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
     putEntry(os, "nDims", label(nDims_));
     putEntry(os, "thickness", thickness_);
     putEntry(os, "nodeSpacing", nodeSpacing_);
-    putDict(os, "material", userVariables::without(materialDict_));
+    putDict(os, "material", materialDict_);
     if (!membrane_.valid() && !rigid_)
     {
         admm_.write(os);

@@ -88,11 +88,6 @@ def used(report, folder):
         "passes 2" not in small and "viscosity" in small
         and "density         1.2;" in small,
         small[:600])
-    report.check(
-        "variables.notInState",
-        "law " not in small.replace("springLaw", "")
-        and "kind" not in results.read(folder, "0/uniform/fsiObjects/small"),
-        "the state holds variables")
 
 
 def misspelled(report, folder):
