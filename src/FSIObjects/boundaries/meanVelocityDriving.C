@@ -47,7 +47,8 @@ static vector moreMomentum(const population& objects, const scalar density)
         const shapeTemplate& shape = group.shape();
         const scalar more =
             Foam::sum(shape.nodeMasses())*(1/density - 1/shape.density());
-        for (label i = 0; i < group.size() && group.movesFreely(); ++i)
+        const bool counts = group.movesFreely() && group.hasWalls();
+        for (label i = 0; i < group.size() && counts; ++i)
         {
             sum += more*group.velocity(i);
         }
@@ -72,7 +73,7 @@ static scalar meanResponse
         const scalar part =
             Foam::sum(shape.nodeMasses())/shape.density()
            *group.size()/domainVolume;
-        if (group.movesFreely())
+        if (group.movesFreely() && group.hasWalls())
         {
             light +=
                 part*(density - shape.density())

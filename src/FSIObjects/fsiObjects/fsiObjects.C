@@ -28,7 +28,7 @@ static const dictionary& checked(const Time& time, const dictionary& dict)
         dict,
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
-            "shortWaveStress", "levelSet", "coupling", "contact",
+            "shortWaveStress", "levelSet", "coupling", "membranes", "contact",
             "boundaries", "drivingForce", "output", "libs"
         },
         {"convection", "faceHistory", "transposedStress"}
@@ -37,8 +37,8 @@ static const dictionary& checked(const Time& time, const dictionary& dict)
     (
         dict,
         {
-            "levelSet", "coupling", "contact", "boundaries", "drivingForce",
-            "output"
+            "levelSet", "coupling", "membranes", "contact", "boundaries",
+            "drivingForce", "output"
         }
     );
     openLibraries(time, dict);

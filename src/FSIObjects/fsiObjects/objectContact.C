@@ -21,6 +21,10 @@ Foam::scalar Foam::fsi::objectContact::leastModulus
     scalar least = GREAT, leastFree = GREAT;
     for (const bodyGroup& group : groups)
     {
+        if (!group.hasWalls())
+        {
+            continue;
+        }
         const shapeTemplate& shape = group.shape();
         const scalar modulus =
             shape.rigid()
@@ -37,7 +41,7 @@ Foam::scalar Foam::fsi::objectContact::leastModulus
         return leastFree;
     }
     // Without shapes nothing touches, and any value will do
-    return groups.empty() ? 1 : least;
+    return least < GREAT ? least : 1;
 }
 
 

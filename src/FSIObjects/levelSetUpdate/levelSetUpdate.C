@@ -119,6 +119,10 @@ Foam::scalar Foam::fsi::levelSetUpdate::misfit
     scalar value = 0;
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
+        if (!surfaces.hasWalls(objecti))
+        {
+            continue;
+        }
         const boundBox box(surfaces.bounds(objecti));
         fetchSamples(centres, box.min(), box.max(), cellDistance_);
         fetchSamples(corners, box.min(), box.max(), cornerDistance_);

@@ -81,7 +81,7 @@ void Foam::fsi::viscousCoupling::updateResponses
     forAll(bodies_.groups(), groupi)
     {
         const bodyGroup& group = bodies_.groups()[groupi];
-        if (!group.movesFreely())
+        if (!group.movesFreely() || !group.hasWalls())
         {
             continue;
         }

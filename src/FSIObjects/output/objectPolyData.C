@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectPolyData.H"
+#include "membraneTriangle.H"
 #include "outlineLoop.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -37,6 +38,35 @@ static void setShapeNames(polyData& data, const population& objects)
     forAll(names, groupi)
     {
         names[groupi] = objects.shape(groupi).name();
+    }
+}
+
+
+//- Set the larger stretch of the triangles of membranes inside the fluid
+static void setStretches(polyData& data, const population& objects)
+{
+    const surfaceSet& surfaces = objects.surfaces();
+    const pointField& x = surfaces.points();
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (surfaces.hasWalls(objecti))
+        {
+            continue;
+        }
+        scalarField& stretch = data.cellScalars("stretch");
+        stretch.resize(surfaces.faces().size(), 1);
+        const shapeTemplate& shape =
+            objects.shape(objects.objectGroup(objecti));
+        const label start = surfaces.faceStart()[objecti];
+        forAll(shape.faces(), i)
+        {
+            const surfaceFace& f = surfaces.faces()[start + i];
+            stretch[start + i] =
+                membraneTriangle(shape.faces()[i], shape.points()).stretch
+                (
+                    x[f[0]], x[f[1]], x[f[2]]
+                );
+        }
     }
 }
 
@@ -117,6 +147,7 @@ Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
             data.cells[celli] = labelList(surfaces.faces()[celli]);
         }
     }
+    setStretches(data, objects);
     return data;
 }
 

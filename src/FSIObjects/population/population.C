@@ -38,10 +38,8 @@ void Foam::fsi::population::renumber()
         for (const label id : ids)
         {
             indexOfId_.insert(id, objecti);
-            if (groups_.stays(groupi))
-            {
-                surfaces_.setFixed(objecti);
-            }
+            surfaces_.setFixed(objecti, groups_.stays(groupi));
+            surfaces_.setImmersed(objecti, !groups()[groupi].hasWalls());
             ++objecti;
         }
         SubList<label>

@@ -103,8 +103,25 @@ void Foam::fsi::fsiStep::describe(Ostream& os) const
 }
 
 
+void Foam::fsi::fsiStep::checkMembranes() const
+{
+    for (const bodyGroup& group : objects_.bodies().groups())
+    {
+        if (!group.hasWalls() && !movesMembranes())
+        {
+            FatalIOErrorInFunction(objects_.properties())
+                << "Entry 'type' of coupling is " << type() << ", but shape "
+                << group.shape().name() << " is a membrane inside the fluid,"
+                << " which needs the coupling solidImplicit"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 void Foam::fsi::fsiStep::announce() const
 {
+    checkMembranes();
     Info<< "FSIObjects " << projectVersion << ": "
         << objects_.bodies().size() << " objects, "
         << objects_.bodies().nNodes() << " nodes, ";

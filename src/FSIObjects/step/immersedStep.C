@@ -45,6 +45,14 @@ Foam::fsi::immersedStep::immersedStep
         geometry_,
         objects.levelSet(),
         objects.fluid().density
+    ),
+    membranes_
+    (
+        objects.bodies(),
+        geometry_,
+        objects.fluid(),
+        objects.gravity(),
+        objects.properties().subOrEmptyDict("membranes")
     )
 {
     checkKeys(dict, {"type", "passes", "passTolerance"});
@@ -68,6 +76,7 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
 
     // Objects as if alone, with the last load of the fluid
     predict(objects_.forces(step()));
+    membranes_.spread(U_, step().dt);
 
     tmp<surfaceScalarField> convectiveFlux(moved(rule_.flux(phi_)));
     expectedChange change(error_.rate(), step().dt);
@@ -98,6 +107,7 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
     // The objects get what the fluid lost, and move
     finishFluid(velocity_.surface(), passes_.error());
     finish();
+    membranes_.correctPressure(oldPressure_(), step().tau, p_);
     objects_.move(velocity_.groups(), step());
 
     // The surfaces are where they are: level set, walls, new cells
@@ -196,6 +206,7 @@ void Foam::fsi::immersedStep::finish()
 {
     pressure_.endStep(p_);
     settle();
+    membranes_.setVelocities(phi_, U_, step().dt, velocity_.change());
     objects_.limit(velocity_, step());
     objects_.constrain(velocity_, step());
 

@@ -16,6 +16,7 @@ void Foam::fsi::immersedStep::solveMomentum
 )
 {
     tmp<fvVectorMatrix> UEqn(momentum(convectiveFlux, gradient_(), sources));
+    membranes_.addTo(UEqn.ref());
     if (countsLayer())
     {
         balance_.begin(U_);

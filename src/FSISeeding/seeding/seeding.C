@@ -114,7 +114,8 @@ bool Foam::fsi::seeding::needsInside(const dictionary& dict) const
     const bool solid = domain_.nDims == 3;
     const bool prescribed =
         bodyMotion::New(dict.subOrEmptyDict("motion")).valid();
-    return type != "rigid" && !(solid && prescribed);
+    return
+        type != "rigid" && !(solid && (prescribed || type == "membrane"));
 }
 
 
@@ -170,7 +171,7 @@ void Foam::fsi::seeding::addShape
     );
     if (objects_.groups().last().movesFreely())
     {
-        const scalar cells = readNonNegative(dict, "minimumCells", 3);
+        const scalar cells = minimumCells(dict, domain_.nDims);
         thickness_.append(seedRecord::thickness{name, thickness, cells});
     }
 }

@@ -63,7 +63,7 @@ static scalar checkThickness
     const seedDomain& domain
 )
 {
-    const scalar cells = readNonNegative(dict, "minimumCells", 3);
+    const scalar cells = minimumCells(dict, domain.nDims);
     const scalar least = cells*domain.spacing;
     const scalar thickness = body.minimumThickness();
     if (thickness < least)
@@ -99,6 +99,22 @@ static scalar checkThickness
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::minimumCells
+(
+    const dictionary& dict,
+    const direction nDims
+)
+{
+    const bool membrane =
+        dict.subDict("material").lookupOrDefault<word>("type", "")
+     == "membrane";
+    return readNonNegative
+    (
+        dict, "minimumCells", membrane && nDims == 3 ? 1 : 3
+    );
+}
+
 
 Foam::scalar Foam::fsi::checkShape
 (

@@ -3,6 +3,7 @@
 #include "bodyMotion.H"
 #include "elasticBodies.H"
 #include "groupEntries.H"
+#include "immersedBodies.H"
 #include "matrixEntry.H"
 #include "membraneBodies.H"
 #include "openfoamVersion.H"
@@ -39,6 +40,10 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
     if (shape.rigid())
     {
         return autoPtr<bodyGroup>(new rigidBodies(shape));
+    }
+    if (shape.sheet())
+    {
+        return autoPtr<bodyGroup>(new immersedBodies(shape));
     }
     if (shape.elements().empty())
     {
@@ -156,12 +161,6 @@ void Foam::fsi::bodyGroup::read(const dictionary& dict)
     readNodes(dict);
     readMatrix(dict, "owedImpulse", owedImpulse_);
     readState(dict);
-}
-
-
-void Foam::fsi::bodyGroup::read(Istream& is)
-{
-    read(dictionary(is));
 }
 
 

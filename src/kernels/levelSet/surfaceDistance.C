@@ -54,7 +54,7 @@ void Foam::fsi::surfaceDistance::addObjects
 {
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        if (surfaces.fixed(objecti) != fixed)
+        if (surfaces.fixed(objecti) != fixed || !surfaces.hasWalls(objecti))
         {
             continue;
         }
@@ -171,7 +171,7 @@ void Foam::fsi::surfaceDistance::update
     sampleRanges touched;
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        if (!surfaces.fixed(objecti))
+        if (!surfaces.fixed(objecti) && surfaces.hasWalls(objecti))
         {
             const boundBox box(reach(surfaces, objecti));
             touched.add(block, box.min(), box.max());

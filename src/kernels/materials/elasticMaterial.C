@@ -117,15 +117,7 @@ Foam::fsi::elasticMaterial::elasticMaterial
     shearModulus(newShearModulus(material)),
     viscosity(readViscosity(material, areaStiffness)),
     law(newLaw(material, youngsModulus))
-{
-    if (membrane && nDims == 3)
-    {
-        FatalIOErrorInFunction(material)
-            << "Entry 'type' in dictionary " << material.name()
-            << " is membrane, which needs a mesh of two dimensions"
-            << exit(FatalIOError);
-    }
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

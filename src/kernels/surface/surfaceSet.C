@@ -97,6 +97,7 @@ Foam::label Foam::fsi::surfaceSet::append
     }
     resize();
     fixed_.resize(first + number, false);
+    immersed_.resize(first + number, false);
     if (number == 0)
     {
         return first;

@@ -13,15 +13,61 @@ namespace Foam
 namespace fsi
 {
 
-//- The material of a membrane; null for an elastic body
-static autoPtr<membraneMaterial> newMembrane(const dictionary& material)
+//- The material of a membrane, of a kind for two or for three dimensions; null
+//  for an elastic body
+template<class Membrane>
+static autoPtr<Membrane> newMembrane
+(
+    const dictionary& material,
+    const bool theseDimensions
+)
 {
-    return autoPtr<membraneMaterial>
+    return autoPtr<Membrane>
     (
-        membraneMaterial::chosen(material)
-      ? new membraneMaterial(material)
+        membraneMaterial::chosen(material) && theseDimensions
+      ? new Membrane(material)
       : nullptr
     );
+}
+
+
+//- Mesh of a body without elements: with points of mass inside, of a sheet the
+//  surface alone
+static shapeMesh withoutElements
+(
+    const shapeMesh& mesh,
+    const direction nDims,
+    const bool sheet
+)
+{
+    if (!sheet)
+    {
+        return massPoints(mesh, nDims).mesh();
+    }
+    shapeMesh surface(mesh);
+    surface.points.resize(surface.nBoundary);
+    surface.elements.clear();
+    return surface;
+}
+
+
+//- Masses of the nodes of a sheet, by the areas of its triangles [kg]
+static scalarField sheetMasses(const shapeMesh& mesh, const scalar mass)
+{
+    scalarField masses(mesh.points.size(), Zero);
+    scalar sum = 0;
+    for (const surfaceFace& f : mesh.faces)
+    {
+        const point& a = mesh.points[f[0]];
+        const scalar area =
+            mag((mesh.points[f[1]] - a) ^ (mesh.points[f[2]] - a));
+        sum += 3*area;
+        for (const label nodei : f)
+        {
+            masses[nodei] += area;
+        }
+    }
+    return mass*masses/sum;
 }
 
 } // End namespace fsi
@@ -40,7 +86,7 @@ void Foam::fsi::shapeTemplate::setGeometry()
 
 void Foam::fsi::shapeTemplate::checkEntries(const dictionary& dict) const
 {
-    const bool iterates = !membrane_.valid() && !rigid_;
+    const bool iterates = !membrane_.valid() && !sheet_.valid() && !rigid_;
     if (iterates)
     {
         elastic_->checkEntries(materialDict_);
@@ -89,7 +135,8 @@ void Foam::fsi::shapeTemplate::setSurfaceAlone()
 {
     const massPoints body(mesh_, nDims_);
     referenceVolume_ = body.volume();
-    nodeMasses_ = body.masses(mass());
+    nodeMasses_ =
+        sheet_.valid() ? sheetMasses(mesh_, mass()) : body.masses(mass());
 }
 
 
@@ -126,20 +173,21 @@ Foam::fsi::shapeTemplate::shapeTemplate
     nodeSpacing_(nodeSpacing),
     materialDict_(dict.subDict("material")),
     density_(readPositive(materialDict_, "density")),
-    membrane_(newMembrane(materialDict_)),
+    membrane_(newMembrane<membraneMaterial>(materialDict_, nDims == 2)),
+    sheet_(newMembrane<sheetMaterial>(materialDict_, nDims == 3)),
     rigid_(materialDict_.lookupOrDefault<word>("type", "") == "rigid"),
     elastic_
     (
-        rigid_
+        rigid_ || sheet_.valid()
       ? nullptr
       : new elasticMaterial(materialDict_, nDims, membrane_.valid())
     ),
-    youngsModulus_(rigid_ ? GREAT : elastic_->youngsModulus),
+    youngsModulus_(elastic_.valid() ? elastic_->youngsModulus : GREAT),
     admm_(dict.subOrEmptyDict("admm"), nDims),
     mesh_
     (
-        rigid_ || mesh.elements.empty()
-      ? massPoints(mesh, nDims).mesh()
+        rigid_ || sheet_.valid() || mesh.elements.empty()
+      ? withoutElements(mesh, nDims, sheet_.valid())
       : mesh
     ),
     springs_(springNetwork::springs(mesh_, membrane_.valid()))

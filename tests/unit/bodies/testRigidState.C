@@ -42,7 +42,7 @@ TEST(rigidBodies, goOnBitByBit)
         OStringStream text;
         group->write(text);
         auto restored = bodyGroup::New(restoredShape, dictionary());
-        restored->read(IStringStream(text.str())());
+        restored->read(dictionary(IStringStream(text.str())()));
         for (label i = 0; i < 5; ++i)
         {
             advance(*group, force, 1e-2);

@@ -69,13 +69,13 @@ TEST(state, roundTripKeepsEveryBit)
     {
         auto restored = groupOf(*shape);
         IStringStream is(written(*group, fmt), fmt);
-        restored->read(is);
+        restored->read(dictionary(is));
         expectSame(*group, *restored);
 
         // And they go on alike: the state of the springs came with them
         auto original = groupOf(*shape);
         IStringStream again(written(*group, fmt), fmt);
-        original->read(again);
+        original->read(dictionary(again));
         const Eigen::MatrixXd force = unevenForce(*group, 20);
         run(*original, force, 5e-3, 3);
         run(*restored, force, 5e-3, 3);
@@ -140,12 +140,12 @@ TEST(state, membraneRoundTripKeepsEveryBit)
     {
         auto restored = groupOf(*shape);
         IStringStream is(written(*group, fmt), fmt);
-        restored->read(is);
+        restored->read(dictionary(is));
         EXPECT_TRUE(restored->elements(1) == group->elements(1));
 
         auto original = groupOf(*shape);
         IStringStream again(written(*group, fmt), fmt);
-        original->read(again);
+        original->read(dictionary(again));
         run(*original, unevenForce(*group, 0.1), 1e-3, 3);
         run(*restored, unevenForce(*group, 0.1), 1e-3, 3);
         EXPECT_EQ(original->positions(), restored->positions());
@@ -225,7 +225,7 @@ TEST(state, meanLoadFollowsItsCopy)
     {
         auto restored = groupOf(*shape);
         IStringStream is(written(*group, fmt), fmt);
-        restored->read(is);
+        restored->read(dictionary(is));
         restored->remove(1);
         restored->append(point(5, 1, 0), tensor::I, Zero, Zero, 20);
 
@@ -247,7 +247,7 @@ TEST(state, ofAnotherShapeIsRefused)
     auto group = moving(*shape);
     auto restored = groupOf(*other);
     IStringStream is(written(*group, IOstream::ASCII));
-    EXPECT_THROW(restored->read(is), Foam::IOerror);
+    EXPECT_THROW(restored->read(dictionary(is)), Foam::IOerror);
 }
 
 

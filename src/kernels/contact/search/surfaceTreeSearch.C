@@ -50,7 +50,14 @@ void Foam::fsi::surfaceTreeSearch::findNear
     {
         return trees_.root(objecti).places.min().x();
     };
-    sweep_ = identityList(surfaces.size());
+    sweep_.clear();
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (surfaces.hasWalls(objecti))
+        {
+            sweep_.append(objecti);
+        }
+    }
     std::sort
     (
         sweep_.begin(), sweep_.end(),
@@ -242,6 +249,10 @@ void Foam::fsi::surfaceTreeSearch::find
     label begin = 0;
     for (label objecti = 0; objecti < surfaces.nOriginals(); ++objecti)
     {
+        if (!surfaces.hasWalls(objecti))
+        {
+            continue;
+        }
         label end = begin;
         while (end < near_.size() && near_[end].first() == objecti)
         {

@@ -100,7 +100,10 @@ void Foam::fsi::surfaceTrees::update
     updateSpheres(surfaces);
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        updateTree(surfaces, geometry, objecti);
+        if (surfaces.hasWalls(objecti))
+        {
+            updateTree(surfaces, geometry, objecti);
+        }
     }
 }
 

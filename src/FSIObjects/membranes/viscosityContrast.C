@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "viscosityContrast.H"
+#include "fvcGrad.H"
+#include "fvcSurfaceIntegrate.H"
+#include "insideFraction.H"
+#include "openLaplacian.H"
+#include "surfaceInterpolate.H"
+#include "zeroGradientFvPatchFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- A field that is not written
+static IOobject notWritten(const fvMesh& mesh, const word& name)
+{
+    return IOobject
+    (
+        name,
+        nameOf(mesh.time()),
+        mesh,
+        IOobject::NO_READ,
+        IOobject::NO_WRITE
+    );
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::viscosityContrast::viscosityContrast
+(
+    const interfaceGeometry& geometry,
+    const faceLattice& faces,
+    const fluidProperties& fluid
+)
+:
+    geometry_(geometry),
+    faces_(faces),
+    fluid_(fluid),
+    more_
+    (
+        notWritten(geometry.grid().mesh(), "moreViscosity"),
+        geometry.grid().mesh(),
+        dimensionedScalar(dimVelocity*dimLength, Zero),
+        zeroGradientFvPatchScalarField::typeName
+    ),
+    moreAtFaces_
+    (
+        notWritten(geometry.grid().mesh(), "moreViscosityAtFaces"),
+        geometry.grid().mesh(),
+        dimensionedScalar(dimVelocity*dimLength, Zero)
+    )
+{}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::viscosityContrast::moreInside
+(
+    const shapeTemplate& shape
+) const
+{
+    const scalar inside = shape.sheet()->innerViscosity;
+    return inside > 0 ? inside/fluid_.density - fluid_.viscosity : 0;
+}
+
+
+void Foam::fsi::viscosityContrast::setFaces()
+{
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    const labelUList& own = more_.mesh().owner();
+    const labelUList& nei = more_.mesh().neighbour();
+    forAll(moreAtFaces_, facei)
+    {
+        moreAtFaces_[facei] =
+            fluidFace[facei]*0.5*(more_[own[facei]] + more_[nei[facei]]);
+    }
+    forAll(more_.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pm = more_.boundaryField()[patchi];
+        const scalarField inside(pm.patchInternalField());
+        moreAtFaces_.boundaryFieldRef()[patchi] ==
+            fluidFace.boundaryField()[patchi]
+           *(
+                pm.coupled()
+              ? 0.5*(inside + pm.patchNeighbourField())
+              : tmp<scalarField>(inside)
+            );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::viscosityContrast::wanted
+(
+    const population& bodies,
+    const fluidProperties& fluid
+)
+{
+    for (const bodyGroup& group : bodies.groups())
+    {
+        const scalar inside =
+            group.hasWalls() ? 0 : group.shape().sheet()->innerViscosity;
+        if
+        (
+            inside > 0
+         && mag(inside - fluid.dynamicViscosity())
+          > 1e-9*fluid.dynamicViscosity()
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::fsi::viscosityContrast::update(const population& bodies)
+{
+    const staggeredLattice& lattice = faces_.lattice();
+    insideFraction scan(lattice);
+    scalarField fraction(lattice.size(), Zero), more(fraction);
+    const surfaceSet& surfaces = bodies.surfaces();
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (surfaces.hasWalls(objecti))
+        {
+            continue;
+        }
+        const shapeTemplate& shape = bodies.shape(bodies.objectGroup(objecti));
+        const label start = surfaces.pointStart()[objecti];
+        scan.add
+        (
+            SubList<point>(surfaces.points(), shape.nNodes(), start),
+            shape.faces(),
+            moreInside(shape),
+            fraction,
+            more
+        );
+    }
+    const labelUList& place = faces_.placeOfCells();
+    forAll(place, celli)
+    {
+        const scalar inside = max(fraction[place[celli]], scalar(1));
+        more_[celli] = more[place[celli]]/inside;
+    }
+    more_.correctBoundaryConditions();
+    setFaces();
+}
+
+
+void Foam::fsi::viscosityContrast::add(fvVectorMatrix& UEqn) const
+{
+    const fvMesh& mesh = more_.mesh();
+    const scalar perLength =
+        geometry_.grid().faceArea()/geometry_.grid().spacing();
+    scalarField& diagonal = UEqn.diag();
+    scalarField& upper = UEqn.upper();
+    scalarField& lower = UEqn.lower();
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    forAll(upper, facei)
+    {
+        const scalar g = perLength*moreAtFaces_[facei];
+        if (g != 0)
+        {
+            upper[facei] -= g;
+            lower[facei] -= g;
+            diagonal[own[facei]] += g;
+            diagonal[nei[facei]] += g;
+        }
+    }
+    forAll(moreAtFaces_.boundaryField(), patchi)
+    {
+        const fvsPatchScalarField& pm = moreAtFaces_.boundaryField()[patchi];
+        addPatchDiffusion(patchi, pm*pm.patch().magSf(), UEqn);
+    }
+
+    const tmp<volTensorField> tgradU(fvc::grad(UEqn.psi()));
+    const tmp<volVectorField> tforce
+    (
+        fvc::surfaceIntegrate
+        (
+            moreAtFaces_*(fvc::interpolate(tgradU()) & mesh.Sf())
+        )
+    );
+    const boolList& inFluid = geometry_.fluidCell();
+    vectorField& source = UEqn.source();
+    forAll(source, celli)
+    {
+        if (inFluid[celli])
+        {
+            source[celli] += mesh.V()[celli]*tforce()[celli];
+        }
+    }
+}
+
+
+void Foam::fsi::viscosityContrast::correctPressure
+(
+    const volScalarField& last,
+    const scalar tau,
+    volScalarField& p
+) const
+{
+    // div u* is what the change of the pressure makes of it
+    const volScalarField change("pressureChange", p - last);
+    surfaceScalarField flux
+    (
+        notWritten(p.mesh(), "changeFlux"),
+        p.mesh(),
+        dimensionedScalar(dimVelocity*dimArea, Zero)
+    );
+    subtractGradient(geometry_, change, tau, flux);
+    scalarField divergence(p.size(), Zero);
+    subtractOutflow(flux, divergence);
+
+    boolList whole(geometry_.fluidCell());
+    const surfaceScalarField& open = geometry_.openArea();
+    forAll(open, facei)
+    {
+        if (open[facei] < 1)
+        {
+            whole[p.mesh().owner()[facei]] = false;
+            whole[p.mesh().neighbour()[facei]] = false;
+        }
+    }
+    forAll(p, celli)
+    {
+        if (whole[celli])
+        {
+            p[celli] -=
+                fluid_.viscosity*divergence[celli]/p.mesh().V()[celli];
+        }
+    }
+    p.correctBoundaryConditions();
+}
+
+
+// ************************************************************************* //

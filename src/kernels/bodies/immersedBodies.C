@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "immersedBodies.H"
+#include "bodyVolume.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::immersedBodies::immersedBodies(const shapeTemplate& shape)
+:
+    bodyGroup(shape),
+    forces_(*shape.sheet(), shape.mesh(), shape.nodeSpacing()),
+    response_(shape)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::immersedBodies::begin(const scalar, const scalar, const scalar)
+{
+    FatalErrorInFunction
+        << "Shape " << shape().name() << " is a membrane inside the fluid, for"
+        << " which there is no time step of second order: take Euler for"
+        << " ddtSchemes" << exit(FatalError);
+}
+
+
+void Foam::fsi::immersedBodies::predict
+(
+    const scalar,
+    const scalar,
+    const Eigen::MatrixXd&,
+    Eigen::MatrixXd& v
+) const
+{
+    v = velocities();
+}
+
+
+void Foam::fsi::immersedBodies::prepareResponse(const scalar dt)
+{
+    response_.prepare(dt, positions());
+}
+
+
+void Foam::fsi::immersedBodies::keepVolume
+(
+    const scalar dt,
+    Eigen::MatrixXd& v
+) const
+{
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        const Eigen::MatrixXd x
+        (
+            ofCopy(positions(), copyi) + dt*ofCopy(v, copyi)
+        );
+        Eigen::MatrixXd along(Eigen::MatrixXd::Zero(x.rows(), x.cols()));
+        bodyVolume::addGradient(shape().faces(), 1, x, along);
+        const scalar factor =
+            bodyVolume(shape().faces(), x, along).factorFor
+            (
+                shape().referenceVolume()
+            );
+        ofCopy(v, copyi) += factor/dt*along;
+    }
+}
+
+
+void Foam::fsi::immersedBodies::internalForce(Eigen::MatrixXd& force) const
+{
+    forces_.energy(positions(), &force);
+}
+
+
+Foam::scalar Foam::fsi::immersedBodies::elasticEnergy() const
+{
+    return forces_.energy(positions());
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "insideFraction.H"
+
+#include <cmath>
+#include <utility>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+using Foam::label;
+
+//- Whole numbers to a cell, and a half of the distance of rays
+constexpr int64_t perCell = 65536;
+constexpr int64_t half = perCell/4;
+
+//- Rays to a cell in y and in z
+constexpr int nRays = 2;
+
+
+//- Number of the first ray at or beyond a place; rays are at (2 i + 1) half
+label firstRay(const int64_t place)
+{
+    // Places are not negative
+    return label((place + half - 1)/(2*half));
+}
+
+
+//- Twice the area to the left of a line, > 0 on its left
+int64_t leftOf
+(
+    const int64_t y0, const int64_t z0,
+    const int64_t y1, const int64_t z1,
+    const int64_t y, const int64_t z
+)
+{
+    return (y1 - y0)*(z - z0) - (z1 - z0)*(y - y0);
+}
+
+
+//- Do the points on an edge belong to the triangle on its left?
+bool ownsEdge
+(
+    const int64_t y0, const int64_t z0,
+    const int64_t y1, const int64_t z1
+)
+{
+    return z1 < z0 || (z1 == z0 && y1 > y0);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::insideFraction::setBox(const UList<point>& points)
+{
+    const point& origin = lattice_.origin;
+    const scalar perLength = 1/lattice_.spacing;
+    vector low(vector::uniform(GREAT)), high(-low);
+    for (const point& p : points)
+    {
+        low = min(low, p);
+        high = max(high, p);
+    }
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar at = std::floor((low[d] - origin[d])*perLength);
+        first_[d] = label(at);
+        n_[d] =
+            label(std::floor((high[d] - origin[d])*perLength) - at) + 2;
+    }
+    parts_.setSize(n_.x()*n_.y()*n_.z());
+    parts_ = Zero;
+    corners_.setSize(points.size());
+    forAll(points, i)
+    {
+        const vector place((points[i] - origin)*perLength);
+        corners_[i].x = place.x() - first_.x();
+        corners_[i].y = std::llround(perCell*(place.y() - first_.y()));
+        corners_[i].z = std::llround(perCell*(place.z() - first_.z()));
+    }
+}
+
+
+void Foam::fsi::insideFraction::addTriangle(corner a, corner b, corner c)
+{
+    int64_t area = leftOf(a.y, a.z, b.y, b.z, c.y, c.z);
+    if (area == 0)
+    {
+        return;
+    }
+    // Outward along x: the ray leaves
+    scalar sign = scalar(-1)/(nRays*nRays);
+    if (area < 0)
+    {
+        std::swap(b, c);
+        area = -area;
+        sign = -sign;
+    }
+    const bool ownsAB = ownsEdge(a.y, a.z, b.y, b.z);
+    const bool ownsBC = ownsEdge(b.y, b.z, c.y, c.z);
+    const bool ownsCA = ownsEdge(c.y, c.z, a.y, a.z);
+    const int64_t lowZ = min(a.z, min(b.z, c.z));
+    const int64_t highZ = max(a.z, max(b.z, c.z));
+    const int64_t lowY = min(a.y, min(b.y, c.y));
+    const int64_t highY = max(a.y, max(b.y, c.y));
+    for (label k = firstRay(lowZ); (2*k + 1)*half <= highZ; ++k)
+    {
+        const int64_t z = (2*k + 1)*half;
+        for (label j = firstRay(lowY); (2*j + 1)*half <= highY; ++j)
+        {
+            const int64_t y = (2*j + 1)*half;
+            const int64_t ofC = leftOf(a.y, a.z, b.y, b.z, y, z);
+            const int64_t ofA = leftOf(b.y, b.z, c.y, c.z, y, z);
+            const int64_t ofB = leftOf(c.y, c.z, a.y, a.z, y, z);
+            if
+            (
+                ofC < 0 || ofA < 0 || ofB < 0
+             || (ofC == 0 && !ownsAB)
+             || (ofA == 0 && !ownsBC)
+             || (ofB == 0 && !ownsCA)
+            )
+            {
+                continue;
+            }
+            const scalar x = (ofA*a.x + ofB*b.x + ofC*c.x)/area;
+            const label i = label(x);
+            const label row =
+                n_.x()*(j/nRays + n_.y()*(k/nRays));
+            parts_[row + i] += sign*(i + 1 - x);
+            parts_[row + i + 1] += sign*(x - i);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::insideFraction::add
+(
+    const UList<point>& points,
+    const UList<surfaceFace>& faces,
+    const scalar value,
+    scalarField& fraction,
+    scalarField& values
+)
+{
+    setBox(points);
+    for (const surfaceFace& f : faces)
+    {
+        addTriangle(corners_[f[0]], corners_[f[1]], corners_[f[2]]);
+    }
+    labelVector ijk;
+    for (ijk.z() = 0; ijk.z() < n_.z(); ++ijk.z())
+    {
+        for (ijk.y() = 0; ijk.y() < n_.y(); ++ijk.y())
+        {
+            const label row = n_.x()*(ijk.y() + n_.y()*ijk.z());
+            scalar sum = 0;
+            for (ijk.x() = 0; ijk.x() < n_.x(); ++ijk.x())
+            {
+                sum += parts_[row + ijk.x()];
+                const label place =
+                    mag(sum) > 1e-12 ? lattice_.place(first_ + ijk) : -1;
+                if (place >= 0)
+                {
+                    fraction[place] += sum;
+                    values[place] += value*sum;
+                }
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sheetMaterial.H"
+#include "dictionaryCheck.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
+:
+    law(membraneLaw::New(dict)),
+    shearModulus(readPositive(dict, law->modulusName())),
+    bendingModulus(readNonNegative(dict, "bendingModulus", 0)),
+    flat
+    (
+        readChoice(dict, "restCurvature", "shape", {"shape", "flat"}) == "flat"
+    ),
+    innerViscosity
+    (
+        dict.found("innerViscosity") ? readPositive(dict, "innerViscosity") : 0
+    )
+{
+    checkKeys
+    (
+        dict,
+        {
+            "type", "density", "law", law->modulusName(), "areaModulus",
+            "bendingModulus", "restCurvature", "innerViscosity"
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::sheetMaterial::stiffness(const scalar spacing) const
+{
+    const scalar ofArea = 0.5*(law->areaModulus() - 1);
+    return
+        shearModulus*max(scalar(1), ofArea) + bendingModulus/sqr(spacing);
+}
+
+
+// ************************************************************************* //
