@@ -34,6 +34,7 @@ RANKS = (
     "src/compatibility/openfoamCase.H",
     "src/compatibility/openfoamRanks.H",
     "src/FSIObjects/output/",
+    "src/FSIObjects/population/ranks/",
 )
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"')

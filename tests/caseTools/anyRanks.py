@@ -73,6 +73,37 @@ b { type listed; shape ball; objects ({ centre (0.55 0.4 0.52); }); }
         "writeInterval": 3, **CONTROLS, **parameters}).set_up()
 
 
+CROWD_SHAPES = """
+disc { shape { type circle; radius 0.09; } material { density 1.1; E 100; } }
+cell { shape { type circle; radius 0.08; }
+    material { type membrane; density 1; stretchingModulus 10;
+        bendingModulus 0.01; innerViscosity 0.1; } }
+ball { shape { type circle; radius 0.07; }
+    material { density 1.2; type rigid; } }
+"""
+
+
+def crowd(path, **parameters):
+    """A channel that is periodic in x, 2 x 1, full of discs, membranes and
+    balls that move every way, touch and cross the seam and all cuts."""
+    shapes = ("disc", "cell", "ball")
+    objects = {shape: [] for shape in shapes}
+    for i in range(8):
+        for j in range(4):
+            objects[shapes[(4*i + j) % 3]].append(
+                f"{{ centre ({0.13 + 0.25*i + 0.01*(j % 2)} "
+                f"{0.13 + 0.245*j} 0); "
+                f"velocity ({0.5*(-1)**(i + j)} {0.3*(-1)**i} 0); }}")
+    placements = "\n".join(
+        f"{shape}s {{ type listed; shape {shape}; objects ({' '.join(of)}); }}"
+        for shape, of in objects.items())
+    return fsiCase.Case(path, **{
+        "box": (0, 0, 2, 1), "cells": (96, 48), "cyclic": "x",
+        "walls": {"top": "(1 0 0)"}, "viscosity": 0.01,
+        "shapes": CROWD_SHAPES, "placements": placements, "deltaT": 0.002,
+        "endTime": 0.1, "writeInterval": 25, **CONTROLS, **parameters}).set_up()
+
+
 def decompose(case, parts, options=()):
     """Cuts a case into nx by ny by nz ranks (parts), or into three of which the
     second has no cells ("hollow"); the number of ranks."""

@@ -53,7 +53,13 @@ static vector moreMomentum(const population& objects, const scalar density)
             sum += more*group.velocity(i);
         }
     }
-    return sum;
+    scalarField sums(3);
+    for (direction d = 0; d < 3; ++d)
+    {
+        sums[d] = sum[d];
+    }
+    objects.ranks().sum(sums);
+    return vector(sums[0], sums[1], sums[2]);
 }
 
 
@@ -67,12 +73,13 @@ static scalar meanResponse
 {
     const label other = objects.nDims() - 1;
     scalar light = 0;
-    for (const bodyGroup& group : objects.groups())
+    forAll(objects.groups(), groupi)
     {
+        const bodyGroup& group = objects.groups()[groupi];
         const shapeTemplate& shape = group.shape();
         const scalar part =
             Foam::sum(shape.nodeMasses())/shape.density()
-           *group.size()/domainVolume;
+           *objects.nCopies(groupi)/domainVolume;
         if (group.movesFreely() && group.hasWalls())
         {
             light +=

@@ -142,7 +142,7 @@ bool Foam::fsi::objectFeed::due(const scalar time) const
     forAll(objects_.groups(), groupi)
     {
         size +=
-            objects_.groups()[groupi].size()
+            objects_.nCopies(groupi)
            *objects_.shape(groupi).referenceVolume();
     }
     scalar domain = fraction_;

@@ -1,52 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectFeed.H"
+#include "nearSurfaces.H"
 #include "rotations.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::List<Foam::fsi::closedSurface>
-Foam::fsi::objectFeed::neighbours() const
-{
-    const surfaceSet& surfaces = objects_.surfaces();
-
-    // Only objects within this reach can touch one that starts here
-    const scalar reach =
-        shape_.bounds().mag() + minimumGap_ + 3*grid_.spacing();
-    const vector margin(reach, reach, reach);
-    const boundBox box(bounds_.min() - margin, bounds_.max() + margin);
-
-    DynamicList<closedSurface> found;
-    for (label objecti = 0; objecti < objects_.size(); ++objecti)
-    {
-        if
-        (
-            closedSurface::near
-            (
-                surfaces.bounds(objecti), box, 0, surfaces.nDims()
-            )
-        )
-        {
-            const shapeTemplate& shape =
-                objects_.shape(objects_.objectGroup(objecti));
-            found.append
-            (
-                closedSurface
-                (
-                    SubList<point>
-                    (
-                        surfaces.points(),
-                        shape.nBoundaryNodes(),
-                        surfaces.pointStart()[objecti]
-                    ),
-                    shape.faces()
-                )
-            );
-        }
-    }
-    return List<closedSurface>(std::move(found));
-}
-
 
 bool Foam::fsi::objectFeed::findPlace
 (
@@ -55,7 +13,17 @@ bool Foam::fsi::objectFeed::findPlace
     tensor& rotation
 ) const
 {
-    const List<closedSurface> others(neighbours());
+    // Only objects within this reach can touch one that starts here
+    const scalar reach =
+        shape_.bounds().mag() + minimumGap_ + 3*grid_.spacing();
+    const vector margin(reach, reach, reach);
+    const std::vector<closedSurface> others
+    (
+        nearSurfaces
+        (
+            objects_, boundBox(bounds_.min() - margin, bounds_.max() + margin)
+        )
+    );
     const direction normal = side_/2;
     for (label i = 0; i < maxAttempts_; ++i)
     {

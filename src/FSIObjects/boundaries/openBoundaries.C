@@ -7,6 +7,8 @@
 #include "stateFile.H"
 #include "userVariables.H"
 
+#include <map>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::dictionary Foam::fsi::openBoundaries::state(const Time& time)
@@ -91,29 +93,46 @@ void Foam::fsi::openBoundaries::warnFeedingSide(const label sidei)
 bool Foam::fsi::openBoundaries::removeObjects()
 {
     DynamicList<label> leaving;
+    DynamicList<scalar> mine;
     for (label objecti = 0; objecti < objects_.size(); ++objecti)
     {
         const label sidei = sideLeft(objecti);
         if (sidei >= 0)
         {
-            ++removed_[sidei];
             leaving.append(objecti);
-            Info<< "Object " << objects_.objectId(objecti) << " of shape "
-                << objects_.shape(objects_.objectGroup(objecti)).name()
-                << " left through";
-            for (const word& patch : sides_.patches(sidei))
-            {
-                Info<< " " << patch;
-            }
-            Info<< ", " << removed_[sidei] << " so far" << endl;
-            warnFeedingSide(sidei);
+            mine.append(objects_.objectGroup(objecti));
+            mine.append(objects_.objectId(objecti));
+            mine.append(sidei);
         }
     }
-    if (leaving.size())
+    if (objects_.ranks().largest(leaving.size()) == 0)
     {
-        objects_.remove(leaving);
+        return false;
     }
-    return leaving.size();
+
+    // All ranks count and tell in the same order
+    const scalarList numbers(objects_.ranks().gathered(scalarList(mine)));
+    std::map<labelPair, label> sides;
+    for (label i = 0; i < numbers.size(); i += 3)
+    {
+        const labelPair key(label(numbers[i]), label(numbers[i + 1]));
+        sides[key] = label(numbers[i + 2]);
+    }
+    for (const auto& left : sides)
+    {
+        const label sidei = left.second;
+        ++removed_[sidei];
+        Info<< "Object " << left.first.second() << " of shape "
+            << objects_.shape(left.first.first()).name() << " left through";
+        for (const word& patch : sides_.patches(sidei))
+        {
+            Info<< " " << patch;
+        }
+        Info<< ", " << removed_[sidei] << " so far" << endl;
+        warnFeedingSide(sidei);
+    }
+    objects_.remove(leaving);
+    return true;
 }
 
 

@@ -107,7 +107,7 @@ void Foam::fsi::motionCheck::checkPrescribed(const vector& period) const
     const surfaceSet& surfaces = objects_.surfaces();
     DynamicList<label> prescribed;
     bool moves = false;
-    for (label objecti = 0; objecti < objects_.size(); ++objecti)
+    for (label objecti = 0; objecti < objects_.nHeld(); ++objecti)
     {
         if (!objects_.movesFreely(objecti))
         {
@@ -218,15 +218,17 @@ void Foam::fsi::motionCheck::checkWeight
         }
     }
     scalar weight = 0, all = 0;
-    for (const bodyGroup& group : objects_.groups())
+    forAll(objects_.groups(), groupi)
     {
-        if (group.size() && !group.movesFreely())
+        const bodyGroup& group = objects_.groups()[groupi];
+        const label n = objects_.nCopies(groupi);
+        if (n > 0 && !group.movesFreely())
         {
             return;
         }
         const shapeTemplate& shape = group.shape();
         const scalar ofShape =
-            group.size()*shape.mass()*(1 - density/shape.density());
+            n*shape.mass()*(1 - density/shape.density());
         weight += ofShape;
         all += mag(ofShape);
     }

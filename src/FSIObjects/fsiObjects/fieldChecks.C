@@ -189,7 +189,7 @@ static void checkRegions
 )
 {
     const surfaceSet& surfaces = bodies.surfaces();
-    boolList moves(bodies.size(), false);
+    boolList moves(bodies.nHeld(), false);
     forAll(moves, objecti)
     {
         moves[objecti] = bodies.movesFreely(objecti);

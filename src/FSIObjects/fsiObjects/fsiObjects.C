@@ -9,6 +9,7 @@
 #include "seedRecord.H"
 #include "stateChecks.H"
 #include "stockInput.H"
+#include "sumOverRanks.H"
 #include "timeFolders.H"
 #include "userVariables.H"
 
@@ -29,7 +30,7 @@ static const dictionary& checked(const Time& time, const dictionary& dict)
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
             "shortWaveStress", "levelSet", "coupling", "membranes", "contact",
-            "boundaries", "drivingForce", "output", "libs"
+            "boundaries", "drivingForce", "output", "ranks", "libs"
         },
         {"convection", "faceHistory", "transposedStress"}
     );
@@ -38,7 +39,7 @@ static const dictionary& checked(const Time& time, const dictionary& dict)
         dict,
         {
             "levelSet", "coupling", "membranes", "contact", "boundaries",
-            "drivingForce", "output"
+            "drivingForce", "output", "ranks"
         }
     );
     openLibraries(time, dict);
@@ -134,22 +135,32 @@ void Foam::fsi::fsiObjects::checkMotion() const
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::fsiObjects::checkWeight() const
+void Foam::fsi::fsiObjects::share()
 {
-    if (driving_->type() == "none")
-    {
-        motionCheck(bodies_, mesh_.time()).checkWeight
+    const bool all =
+        contact_.needsAll() || levelSet_->type() != "rebuilt"
+     || readChoice
         (
-            mesh_.boundaryMesh(), sides_.period(), gravity_, fluid_.density
-        );
+            properties_.subOrEmptyDict("ranks"), "holders", "near",
+            {"near", "all"}
+        ) == "all";
+    if (all || !severalRanks())
+    {
+        return;
     }
+
+    // Samples of the level set lie up to a cell and a half outside of cells; in
+    // a step surfaces move by less than a cell
+    const scalar h = grid_.spacing();
+    const scalar near = max(levelSet_->bandWidth() + 1.5*h, contact_.reach());
+    bodies_.share(grid_, near + h);
+    contact_.share();
+    renew();
 }
 
 
 void Foam::fsi::fsiObjects::write() const
 {
-    bodies_.write();
-    contact_.write();
     boundaries_.write();
     driving_->write();
 }
@@ -162,7 +173,7 @@ Foam::scalar Foam::fsi::fsiObjects::courantNo() const
     {
         largest = max(largest, cmptMax(cmptMag(vi)));
     }
-    return largest*deltaT()/grid_.spacing();
+    return bodies_.ranks().largest(largest)*deltaT()/grid_.spacing();
 }
 
 

@@ -12,7 +12,12 @@ void Foam::fsi::fsiObjects::updateSurfaces()
         bodies_.wrap(images_);
     }
     bodies_.updateSurfaces();
+    updateImages();
+}
 
+
+void Foam::fsi::fsiObjects::updateImages()
+{
     // Samples lie up to one cell outside the domain
     const scalar reach = levelSet_->bandWidth() + grid_.spacing();
     surfaces_ = &images_.update(bodies_.surfaces(), reach);
@@ -55,7 +60,7 @@ void Foam::fsi::fsiObjects::drive(const volVectorField& U)
 void Foam::fsi::fsiObjects::expect(const timeRule& rule)
 {
     const stepTimer::section solids(timer_, stepTimer::part::solids);
-    if (bodies_.size() && !levelSet_->secondOrder())
+    if (bodies_.nAll() && !levelSet_->secondOrder())
     {
         FatalIOErrorInFunction(properties_)
             << "Level set " << levelSet_->type() << " is of first order in"
@@ -68,18 +73,6 @@ void Foam::fsi::fsiObjects::expect(const timeRule& rule)
         group.begin(mesh_.time().value(), deltaT(), rule.ratio());
     }
     updateSurfaces();
-}
-
-
-Foam::vector Foam::fsi::fsiObjects::bodyAcceleration
-(
-    const label groupi,
-    const vector& gravity,
-    const vector& driving
-) const
-{
-    const scalar lighter = fluid_.density/bodies_.shape(groupi).density();
-    return (1 - lighter)*gravity + lighter*driving;
 }
 
 
@@ -96,7 +89,10 @@ Foam::fsi::fsiObjects::groupNodal Foam::fsi::fsiObjects::forces
         bodyGroup& group = bodies_.groups()[groupi];
         const vector a
         (
-            bodyAcceleration(groupi, gravity_, driving_->acceleration())
+            fluid_.accelerationOf
+            (
+                group.shape().density(), gravity_, driving_->acceleration()
+            )
         );
         Eigen::MatrixXd& f = force[groupi];
         for (Eigen::Index column = 0; column < f.cols(); ++column)
@@ -146,22 +142,30 @@ void Foam::fsi::fsiObjects::limit(nodeVelocities& v, const stepLength& step)
 
 void Foam::fsi::fsiObjects::move(const groupNodal& v, const stepLength& step)
 {
+    const stepTimer::section solids(timer_, stepTimer::part::solids);
+    forAll(v, groupi)
     {
-        const stepTimer::section solids(timer_, stepTimer::part::solids);
-        forAll(v, groupi)
-        {
-            bodies_.groups()[groupi].move(step.tau, v[groupi]);
-        }
-        updateSurfaces();
-        checkMotion();
+        bodies_.groups()[groupi].move(step.tau, v[groupi]);
     }
-    const stepTimer::section contact(timer_, stepTimer::part::contact);
-    contact_.measure();
+    updateSurfaces();
+    checkMotion();
 }
 
 
-void Foam::fsi::fsiObjects::moveLevelSet()
+void Foam::fsi::fsiObjects::moveLevelSet
+(
+    const std::vector<vectorField*>& nodal
+)
 {
+    if (!bodies_.stepRuns())
+    {
+        if (bodies_.migrate(nodal))
+        {
+            updateImages();
+        }
+        const stepTimer::section contact(timer_, stepTimer::part::contact);
+        contact_.measure();
+    }
     const stepTimer::section levelSet(timer_, stepTimer::part::levelSet);
     levelSet_->move(surfaces(), deltaT());
 }

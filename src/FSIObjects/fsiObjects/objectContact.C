@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
-#include "errorOf.H"
-#include "openfoamVersion.H"
-#include "stateFile.H"
+#include "rankExchange.H"
 #include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -99,13 +97,37 @@ void Foam::fsi::objectContact::prepareSearch()
 }
 
 
+Foam::List<Foam::labelList> Foam::fsi::objectContact::objectsOfGroups
+(
+    const label nObjects
+) const
+{
+    List<DynamicList<label>> objects(bodies_.groups().size());
+    for (label objecti = 0; objecti < nObjects; ++objecti)
+    {
+        objects[bodies_.objectGroup(objecti)].append(objecti);
+    }
+    List<labelList> result(objects.size());
+    forAll(result, groupi)
+    {
+        result[groupi] = objects[groupi];
+    }
+    return result;
+}
+
+
 void Foam::fsi::objectContact::setNodes()
 {
     nodes_.reset(surfaces());
-    for (label objecti = 0; objecti < bodies_.size(); ++objecti)
+    for (label objecti = 0; objecti < bodies_.nHeld(); ++objecti)
     {
         nodes_.setId(objecti, bodies_.objectId(objecti));
+        if (objecti >= bodies_.size())
+        {
+            nodes_.setGuest(objecti);
+        }
     }
+    const List<labelList> objects(objectsOfGroups(bodies_.nHeld()));
 
     groups_.resize(bodies_.groups().size());
     forAll(bodies_.groups(), groupi)
@@ -115,7 +137,7 @@ void Foam::fsi::objectContact::setNodes()
         {
             groups_[groupi] = std::make_unique<groupContact>(group);
         }
-        groups_[groupi]->setNodes(surfaces(), objectsOf(groupi), nodes_);
+        groups_[groupi]->setNodes(surfaces(), objects[groupi], nodes_);
     }
 }
 
@@ -123,45 +145,41 @@ void Foam::fsi::objectContact::setNodes()
 void Foam::fsi::objectContact::setRanges()
 {
     scalarField& ranges = contact_.ranges();
-    ranges.setSize(bodies_.size());
-    forAll(ranges, objecti)
+    ranges.setSize(bodies_.nHeld());
+    ranges = contact_.range();
+    for (label objecti = 0; objecti < bodies_.size(); ++objecti)
     {
-        const label id = bodies_.objectId(objecti);
+        const scalar range = contactRange(objecti);
         ranges[objecti] =
-            !bodies_.movesFreely(objecti) ? contact_.range()
-          : id >= nextObjectId_ ? 0
-          : valueOr(shortRanges_, id, contact_.range());
+            range < 0 || !bodies_.movesFreely(objecti)
+          ? contact_.range()
+          : range;
     }
+    bodies_.ranks().spread({objectRanks::values::ofObjects(ranges)});
 }
 
 
 void Foam::fsi::objectContact::keepRanges()
 {
     const scalarField& ranges = contact_.ranges();
-    shortRanges_.clear();
-    forAll(ranges, objecti)
+    for (label objecti = 0; objecti < bodies_.size(); ++objecti)
     {
-        if (ranges[objecti] < contact_.range())
-        {
-            shortRanges_.insert
-            (
-                bodies_.objectId(objecti), ranges[objecti]
-            );
-        }
+        contactRange(objecti) =
+            ranges[objecti] < contact_.range() ? ranges[objecti] : -1;
     }
-    nextObjectId_ = bodies_.nextObjectId();
 }
 
 
 void Foam::fsi::objectContact::setBodies()
 {
     setNodes();
+    const List<labelList> objects(objectsOfGroups(bodies_.size()));
     forAll(groups_, groupi)
     {
         groups_[groupi]->setResponse
         (
             surfaces(),
-            objectsOf(groupi),
+            objects[groupi],
             contact_.needsInternalForces(),
             nodes_
         );
@@ -192,13 +210,8 @@ Foam::fsi::objectContact::objectContact
         sides.images()
     ),
     walls_(sides.walls()),
-    nextObjectId_(0),
     nLimited_(0)
-{
-    const dictionary state(readState(grid.mesh().time(), "fsiContact"));
-    nextObjectId_ = readEntryOr<label>(state, "nextObjectId", nextObjectId_);
-    state.readIfPresent("ranges", shortRanges_);
-}
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -224,6 +237,13 @@ void Foam::fsi::objectContact::calculate
         1 - step.tau/step.dt
     );
     keepRanges();
+}
+
+
+void Foam::fsi::objectContact::share()
+{
+    exchange_ = std::make_unique<rankExchange>(bodies_.ranks());
+    contact_.setExchange(*exchange_);
 }
 
 
@@ -254,21 +274,6 @@ void Foam::fsi::objectContact::addForce
         bodies_.layout().toGroups(force_, contactForce);
         nodeLayout::add(contactForce, force);
     }
-}
-
-
-void Foam::fsi::objectContact::write() const
-{
-    const Time& time = grid_.mesh().time();
-    writeFile
-    (
-        time, nameOf(time), "uniform", "fsiContact", IOstream::ASCII,
-        [&](Ostream& os)
-        {
-            putEntry(os, "nextObjectId", nextObjectId_);
-            putEntry(os, "ranges", shortRanges_);
-        }
-    );
 }
 
 

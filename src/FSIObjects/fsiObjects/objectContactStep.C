@@ -71,7 +71,7 @@ void Foam::fsi::objectContact::limit
     const stepLength& step
 )
 {
-    nLimited_ = contact_.limit
+    const label nPushed = contact_.limit
     (
         surfaces(),
         lessStandstill(v.surface(), step),
@@ -80,6 +80,7 @@ void Foam::fsi::objectContact::limit
         step.tau,
         force_
     );
+    nLimited_ = label(bodies_.ranks().largest(nPushed));
     if (nLimited_ > 0)
     {
         respond(v);

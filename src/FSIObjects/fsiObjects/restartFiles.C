@@ -45,7 +45,6 @@ static const restartFile uniformFiles[] =
         "feeds and the counts of objects that left start anew, and"
         " checkObjects finds objects lost"
     },
-    {"fsiContact", "objects that started close push each other apart"},
     {
         "fsiPressureLevel",
         "objects feel the level of the pressure (pRefValue) as a load"

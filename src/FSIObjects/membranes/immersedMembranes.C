@@ -228,7 +228,7 @@ void Foam::fsi::immersedMembranes::setVelocities
         transfer_->interpolate(SubList<point>(x, n, start), values_, nodes);
     });
     nodeLayout::groupNodal velocity;
-    bodies_.layout().toGroups(part.collect(), velocity);
+    bodies_.layout().toGroups(part.collect(bodies_.ranks()), velocity);
     forAll(velocity, groupi)
     {
         const bodyGroup& group = bodies_.groups()[groupi];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "linkForces.H"
-#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -12,46 +11,34 @@ namespace fsi
 
 typedef viscousResponse::copyLink copyLink;
 
-//- Give every rank the links of all ranks, in the order of the ranks
-static void gatherLinks(std::vector<std::vector<copyLink>>& links)
+//- A link as numbers
+static void pack(const copyLink& link, DynamicList<scalar>& numbers)
 {
-    if (!severalRanks())
+    numbers.append(link.coefficient);
+    forAll(link.nodes, i)
     {
-        return;
+        numbers.append(link.nodes[i]);
+        numbers.append(link.weights[i]);
     }
+}
 
-    DynamicList<scalar> packed;
-    for (std::size_t objecti = 0; objecti < links.size(); ++objecti)
-    {
-        for (const copyLink& link : links[objecti])
-        {
-            packed.append(scalar(objecti));
-            packed.append(link.coefficient);
-            forAll(link.nodes, i)
-            {
-                packed.append(scalar(link.nodes[i]));
-                packed.append(link.weights[i]);
-            }
-        }
-        links[objecti].clear();
-    }
-    const List<scalarList> ranks(gatherOverRanks(scalarList(packed)));
 
-    const label width = 2 + 2*copyLink().nodes.size();
-    for (const scalarList& values : ranks)
+//- Links from numbers
+static std::vector<copyLink> unpacked(const UList<scalar>& numbers)
+{
+    const label width = 1 + 2*copyLink().nodes.size();
+    std::vector<copyLink> links(numbers.size()/width);
+    const scalar* next = numbers.cdata();
+    for (copyLink& link : links)
     {
-        for (label start = 0; start < values.size(); start += width)
+        link.coefficient = *next++;
+        forAll(link.nodes, i)
         {
-            copyLink link;
-            link.coefficient = values[start + 1];
-            forAll(link.nodes, i)
-            {
-                link.nodes[i] = label(round(values[start + 2 + 2*i]));
-                link.weights[i] = values[start + 3 + 2*i];
-            }
-            links[std::size_t(round(values[start]))].push_back(link);
+            link.nodes[i] = label(*next++);
+            link.weights[i] = *next++;
         }
     }
+    return links;
 }
 
 } // End namespace fsi
@@ -69,15 +56,11 @@ void Foam::fsi::setCopyLinks
 )
 {
     const labelList& start = bodies.surfaces().pointStart();
-    links.resize(bodies.size());
-    for (auto& ofObject : links)
-    {
-        ofObject.clear();
-    }
+    List<DynamicList<scalar>> numbers(bodies.nHeld());
     for (const wallLink& link : geometry.wallLinks())
     {
         const label objecti = link.place.object;
-        viscousResponse::copyLink c;
+        copyLink c;
         c.coefficient = viscosity*link.conductance;
         forAll(c.nodes, i)
         {
@@ -86,9 +69,14 @@ void Foam::fsi::setCopyLinks
             c.nodes[i] = used ? link.place.nodes[i] - start[objecti] : -1;
             c.weights[i] = used ? link.place.weights[i] : 0;
         }
-        links[objecti].push_back(c);
+        pack(c, numbers[objecti]);
     }
-    gatherLinks(links);
+    bodies.ranks().collect(numbers);
+    links.resize(bodies.size());
+    for (label objecti = 0; objecti < bodies.size(); ++objecti)
+    {
+        links[objecti] = unpacked(numbers[objecti]);
+    }
 }
 
 

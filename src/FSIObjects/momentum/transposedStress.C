@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "transposedStress.H"
-#include "sumOverRanks.H"
 #include "tensor.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -15,6 +14,7 @@ namespace fsi
 static scalarField facesOfNodes
 (
     const interfaceGeometry& geometry,
+    const objectRanks& ranks,
     const label nNodes
 )
 {
@@ -23,7 +23,7 @@ static scalarField facesOfNodes
     {
         link.place.spread(faces, 1.0);
     }
-    sumOverRanks(faces);
+    ranks.collect({objectRanks::values::ofNodes(faces)});
     return faces;
 }
 
@@ -141,12 +141,13 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
 (
     const surfaceSet& surfaces,
     const interfaceGeometry& geometry,
-    const scalar viscosity
+    const scalar viscosity,
+    const objectRanks& ranks
 )
 {
     const direction nDims = surfaces.nDims();
     const pointField& x = surfaces.points();
-    const scalarField weights(facesOfNodes(geometry, x.size()));
+    const scalarField weights(facesOfNodes(geometry, ranks, x.size()));
     const List<tensor> fields(gradients(nDims));
     std::vector<transposedMode> modes;
     forAll(fields, k)
@@ -157,7 +158,8 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
 
     // Half of what the links resist at most: they have h each, 1 in a plane
     const scalar conductance = nDims == 2 ? 1 : geometry.grid().spacing();
-    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    const label nOwned = ranks.nOwned(surfaces.size());
+    for (label objecti = 0; objecti < nOwned; ++objecti)
     {
         const label start = surfaces.pointStart()[objecti];
         const label n = surfaces.pointStart()[objecti + 1] - start;

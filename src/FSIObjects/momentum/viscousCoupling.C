@@ -35,7 +35,8 @@ void Foam::fsi::viscousCoupling::updateTransposedStress()
     (
         surfaces,
         geometry_,
-        fluid_.dynamicViscosity()*geometry_.grid().thickness()
+        fluid_.dynamicViscosity()*geometry_.grid().thickness(),
+        bodies_.ranks()
     );
     for (const transposedMode& mode : modes)
     {
@@ -81,8 +82,9 @@ void Foam::fsi::viscousCoupling::updateResponses
     forAll(bodies_.groups(), groupi)
     {
         const bodyGroup& group = bodies_.groups()[groupi];
-        if (!group.movesFreely() || !group.hasWalls())
+        if (!group.movesFreely() || !group.hasWalls() || !group.size())
         {
+            responses_[groupi].reset();
             continue;
         }
         if (!responses_[groupi])
@@ -104,7 +106,7 @@ void Foam::fsi::viscousCoupling::nodeVelocity(nodeLayout::groupNodal& v)
 {
     nodal_.reset(bodies_.surfaces().points().size());
     links_.addForce(fluid_.density, nodal_);
-    vectorField& force = nodal_.collect();
+    vectorField& force = nodal_.collect(bodies_.ranks());
     force += strainForce_;
     bodies_.layout().toBoundary(force, groupForce_);
     forAll(v, groupi)

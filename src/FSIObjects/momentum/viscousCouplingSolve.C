@@ -22,7 +22,7 @@ void Foam::fsi::viscousCoupling::finish
     (
         geometry_, fluid_.dynamicViscosity(), U, nodalVelocity_, linkForce_
     );
-    force = partialForces(linkForce_).collect();
+    force = partialForces(linkForce_).collect(bodies_.ranks());
     addShortWaveForce
     (
         bodies_, fluid_, geometry_.grid().thickness(), nodalVelocity_, force
@@ -157,7 +157,7 @@ void Foam::fsi::viscousCoupling::linkForceBeyond
     (
         geometry_, fluid_.dynamicViscosity(), U, nodalVelocity_, beyond
     );
-    force = beyond.collect();
+    force = beyond.collect(bodies_.ranks());
 }
 
 

@@ -5,6 +5,8 @@
 #include "population.H"
 #include "surfaceMoments.H"
 
+#include <map>
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::List<Foam::fsi::objectRecord>
@@ -46,6 +48,76 @@ Foam::fsi::objectRecord::sample(const population& objects)
         }
     }
     return records;
+}
+
+
+void Foam::fsi::objectRecord::exchange(copyValues& values)
+{
+    values.number(object);
+    values.number(contacts);
+    for
+    (
+        scalar* each :
+        {
+            &area, &perimeter, &inclination, &phase, &deformation, &flowAngle,
+            &smallestGap
+        }
+    )
+    {
+        values.number(*each);
+    }
+    for
+    (
+        vector* each :
+        {
+            &centroid, &velocity, &angularVelocity, &halfAxes, &longAxis,
+            &shortAxis, &force, &torque
+        }
+    )
+    {
+        values.vectorOf(*each);
+    }
+}
+
+
+Foam::List<Foam::fsi::objectRecord> Foam::fsi::objectRecord::gathered
+(
+    const population& objects,
+    List<objectRecord> mine
+)
+{
+    if (objects.ranks().shared())
+    {
+        return mine;
+    }
+    copyValues sent;
+    forAll(mine, objecti)
+    {
+        label groupi = objects.objectGroup(objecti);
+        sent.number(groupi);
+        mine[objecti].exchange(sent);
+    }
+    copyValues received
+    (
+        objects.ranks().gathered(scalarList(sent.values()), false)
+    );
+    std::map<labelPair, objectRecord> sorted;
+    while (received.more())
+    {
+        label groupi = 0;
+        objectRecord record;
+        received.number(groupi);
+        record.exchange(received);
+        record.shape = objects.shape(groupi).name();
+        sorted[labelPair(groupi, record.object)] = record;
+    }
+    List<objectRecord> all(sorted.size());
+    label next = 0;
+    for (const auto& each : sorted)
+    {
+        all[next++] = each.second;
+    }
+    return all;
 }
 
 

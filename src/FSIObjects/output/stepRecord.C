@@ -36,7 +36,7 @@ static scalar maxSpeed(const bodyGroup& group, const direction nDims)
 Foam::fsi::stepRecord Foam::fsi::stepRecord::sample(const population& objects)
 {
     stepRecord record;
-    record.objects = objects.size();
+    record.objects = objects.nAll();
     scalar sumVolume = 0;
     forAll(objects.groups(), groupi)
     {
@@ -60,7 +60,23 @@ Foam::fsi::stepRecord Foam::fsi::stepRecord::sample(const population& objects)
             );
         }
     }
-    record.objectVelocity /= max(sumVolume, VSMALL);
+    scalarField sums
+    (
+        scalarList
+        ({
+            record.kineticEnergy, record.elasticEnergy, sumVolume,
+            record.objectVelocity.x(), record.objectVelocity.y(),
+            record.objectVelocity.z()
+        })
+    );
+    const objectRanks& ranks = objects.ranks();
+    ranks.sum(sums);
+    record.kineticEnergy = sums[0];
+    record.elasticEnergy = sums[1];
+    record.objectVelocity =
+        vector(sums[3], sums[4], sums[5])/max(sums[2], VSMALL);
+    record.maxSpeed = ranks.largest(record.maxSpeed);
+    record.areaChange = ranks.largest(record.areaChange);
     return record;
 }
 

@@ -55,8 +55,8 @@ void Foam::fsi::bodyGroups::readGroup
             stateFile::input(time_, caseConstant(time_), folder, name)
         )
     );
-    shapes_.append(new shapeTemplate(shape));
-    stateChecks::checkShape(shape, shapes_.last(), name, nDims);
+    shapes_.push_back(std::make_shared<shapeTemplate>(shape));
+    stateChecks::checkShape(shape, *shapes_.back(), name, nDims);
 
     // The state refers to what seedObjects wrote
     const dictionary state
@@ -71,7 +71,7 @@ void Foam::fsi::bodyGroups::readGroup
     );
     checkSubDicts(state, {"motion"});
     motions_.append(state.subDict("motion"));
-    groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
+    groups_.append(bodyGroup::New(*shapes_.back(), motions_.last()));
     groups_.last().read(state);
     stateChecks::checkIds(state, groups_.last(), nextId, taken);
 }
@@ -95,9 +95,9 @@ bool Foam::fsi::bodyGroups::stays(const label groupi) const
 
 Foam::label Foam::fsi::bodyGroups::find(const word& shapeName) const
 {
-    forAll(shapes_, groupi)
+    for (label groupi = 0; groupi < size(); ++groupi)
     {
-        if (shapes_[groupi].name() == shapeName)
+        if (shape(groupi).name() == shapeName)
         {
             return groupi;
         }
@@ -118,10 +118,22 @@ Foam::label Foam::fsi::bodyGroups::append
             << "There is a shape named " << shape->name() << " already"
             << exit(FatalError);
     }
-    shapes_.append(shape);
+    shapes_.emplace_back(shape.ptr());
     motions_.append(motion);
-    groups_.append(bodyGroup::New(shapes_.last(), motions_.last()));
+    groups_.append(bodyGroup::New(*shapes_.back(), motions_.last()));
     return groups_.size() - 1;
+}
+
+
+void Foam::fsi::bodyGroups::shareShapes(const bodyGroups& other)
+{
+    shapes_ = other.shapes_;
+    motions_ = other.motions_;
+    groups_.clear();
+    forAll(motions_, groupi)
+    {
+        groups_.append(bodyGroup::New(shape(groupi), motions_[groupi]));
+    }
 }
 
 
@@ -157,7 +169,7 @@ void Foam::fsi::bodyGroups::write() const
         writeFile
         (
             time_, nameOf(time_), "uniform"/folder,
-            shapes_[groupi].name(), time_.writeFormat(),
+            shape(groupi).name(), time_.writeFormat(),
             [&](Ostream& os)
             {
                 putDict(os, "motion", motions_[groupi]);
@@ -170,13 +182,13 @@ void Foam::fsi::bodyGroups::write() const
 
 void Foam::fsi::bodyGroups::writeShapes() const
 {
-    forAll(shapes_, groupi)
+    forAll(groups_, groupi)
     {
         writeFile
         (
-            time_, caseConstant(time_), folder, shapes_[groupi].name(),
+            time_, caseConstant(time_), folder, shape(groupi).name(),
             IOstream::ASCII,
-            [&](Ostream& os) { shapes_[groupi].write(os); }
+            [&](Ostream& os) { shape(groupi).write(os); }
         );
     }
 }

@@ -7,7 +7,8 @@
 Foam::fsi::nodeLayout::nodeLayout(const direction nDims)
 :
     nDims_(nDims),
-    nSurface_(0)
+    nSurface_(0),
+    ranks_(nullptr)
 {}
 
 
@@ -63,6 +64,7 @@ void Foam::fsi::nodeLayout::clear()
 {
     groups_.clear();
     nSurface_ = 0;
+    ranks_ = nullptr;
 }
 
 
@@ -75,6 +77,17 @@ void Foam::fsi::nodeLayout::append
 {
     groups_.append({nNodes, nBoundary, nCopies, nSurface_});
     nSurface_ += nBoundary*nCopies;
+}
+
+
+void Foam::fsi::nodeLayout::appendGuests
+(
+    const label nNodes,
+    const objectRanks& ranks
+)
+{
+    nSurface_ += nNodes;
+    ranks_ = &ranks;
 }
 
 
@@ -128,7 +141,8 @@ void Foam::fsi::nodeLayout::toBoundary
 void Foam::fsi::nodeLayout::toSurface
 (
     const groupNodal& values,
-    vectorField& surface
+    vectorField& surface,
+    const bool spreads
 ) const
 {
     surface.setSize(nSurface_);
@@ -147,6 +161,10 @@ void Foam::fsi::nodeLayout::toSurface
                 surface[first + i] = vector(x[i], y[i], z ? z[i] : 0);
             }
         }
+    }
+    if (ranks_ && spreads)
+    {
+        ranks_->spread({objectRanks::values::ofNodes(surface)});
     }
 }
 

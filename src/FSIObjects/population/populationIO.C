@@ -27,7 +27,7 @@ void Foam::fsi::population::readCounters()
     checkKeys
     (
         dict,
-        {"FoamFile", "nDims", "planeZ", "nextObjectId", "periods"}
+        {"FoamFile", "nDims", "planeZ", "nextObjectId"}
     );
 
     const label n = readEntry<label>(dict, "nDims");
@@ -37,29 +37,9 @@ void Foam::fsi::population::readCounters()
             << "Entry 'nDims' in " << dict.name() << " is " << n
             << " but must be 2 or 3" << exit(FatalIOError);
     }
-    nDims_ = n;
+    setDirections(n);
     planeZ_ = readEntry<scalar>(dict, "planeZ");
     nextObjectId_ = readEntry<label>(dict, "nextObjectId");
-    if (dict.found("periods"))
-    {
-        periods_ = readEntry<Map<labelVector>>(dict, "periods");
-    }
-}
-
-
-void Foam::fsi::population::checkPeriods() const
-{
-    forAllConstIter(Map<labelVector>, periods_, iter)
-    {
-        if (findObject(iter.key()) < 0)
-        {
-            FatalErrorInFunction
-                << "Entry 'periods' in "
-                << time_.timePath()/"uniform/fsiPopulation" << " has the id "
-                << iter.key() << ", but there is no such object"
-                << exit(FatalError);
-        }
-    }
 }
 
 
@@ -75,10 +55,6 @@ void Foam::fsi::population::write() const
             putEntry(os, "nDims", label(nDims_));
             putEntry(os, "planeZ", planeZ_);
             putEntry(os, "nextObjectId", nextObjectId_);
-            if (periods_.size())
-            {
-                putEntry(os, "periods", periods_);
-            }
         }
     );
     groups_.write();

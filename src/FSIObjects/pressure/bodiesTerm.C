@@ -35,7 +35,7 @@ void Foam::fsi::bodiesTerm::velocity
         velocity_[groupi].resize(force_[groupi].rows(), force_[groupi].cols());
         respond(groupi, force_[groupi], velocity_[groupi]);
     }
-    bodies_.layout().toSurface(velocity_, v);
+    bodies_.layout().toSurface(velocity_, v, false);
 }
 
 

@@ -37,7 +37,7 @@ Foam::scalarField Foam::fsi::objectsConductance::interiorFactor() const
     const cartesianMesh& grid = objects_.grid();
     const scalar h = grid.spacing();
 
-    scalarField factor(bodies_.size(), Zero);
+    scalarField factor(bodies_.nHeld(), Zero);
     forAll(factor, objecti)
     {
         const shapeTemplate& shape =
@@ -163,7 +163,21 @@ Foam::fsi::objectsConductance::conductance(const stepLength& step)
         inside(),
         labelList()
     };
-    swapCoupledCells(mesh, objects.object, objects.across);
+    // Ranks know each other's objects by their ids
+    labelList ids(objects.object);
+    for (label& object : ids)
+    {
+        object = object < 0 ? object : bodies_.objectId(object);
+    }
+    swapCoupledCells(mesh, ids, objects.across);
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        for (label i = 0; i < patch.size() && patch.coupled(); ++i)
+        {
+            label& object = objects.across[patch.start() - nInternal + i];
+            object = object < 0 ? object : bodies_.findObject(object);
+        }
+    }
 
     faceValues g;
     g.face.setSize(mesh.nFaces());

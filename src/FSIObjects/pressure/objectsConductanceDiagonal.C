@@ -33,7 +33,8 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
 
     // dt rho/A_ii per surface node and component
     vectorField mobility(surfaces.points().size(), Zero);
-    forAll(surfaces.pointObject(), nodei)
+    const label nOwned = surfaces.pointStart()[bodies_.size()];
+    for (label nodei = 0; nodei < nOwned; ++nodei)
     {
         const label objecti = surfaces.pointObject()[nodei];
         const label copyi = bodies_.objectCopy(objecti);
@@ -48,6 +49,7 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
         }
     }
 
+    bodies_.ranks().spread({objectRanks::values::ofNodes(mobility)});
     for (const cellWall& w : geometry_.surfaceParts())
     {
         const vector squares(cmptMultiply(w.area, w.area));

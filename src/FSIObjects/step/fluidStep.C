@@ -2,6 +2,7 @@
 
 #include "fluidStep.H"
 #include "fieldChecks.H"
+#include "motionCheck.H"
 #include "newCells.H"
 #include "outflowBalance.H"
 #include "solidVelocity.H"
@@ -49,10 +50,8 @@ void Foam::fsi::fluidStep::updateGeometry()
 
 void Foam::fsi::fluidStep::setSolidVelocity()
 {
-    fsi::setSolidVelocity
-    (
-        geometry_, objects_.levelSet(), objects_.surfaces(), U_
-    );
+    const surfaceSet& all = objects_.surfaces();
+    fsi::setSolidVelocity(geometry_, objects_.levelSet(), all, U_);
 }
 
 
@@ -62,10 +61,8 @@ Foam::fsi::fluidStep::groupNodal Foam::fsi::fluidStep::inGroups
 ) const
 {
     groupNodal force;
-    objects_.bodies().layout().toGroups
-    (
-        objects_.fluid().density*nodal, force
-    );
+    const scalar density = objects_.fluid().density;
+    objects_.bodies().layout().toGroups(density*nodal, force);
     return force;
 }
 
@@ -84,7 +81,7 @@ Foam::fsi::fluidStep::fluidStep
     phi_(flow.phi),
     wall_(wallTreatment::New(objects.properties())),
     geometry_(objects.grid(), *wall_),
-    walls_(geometry_),
+    walls_(geometry_, objects.bodies().ranks()),
     faces_(geometry_),
     rule_(U_.mesh()),
     gradients_(geometry_),
@@ -97,7 +94,14 @@ Foam::fsi::fluidStep::fluidStep
     updateGeometry();
     fieldChecks::check(p_, U_, objects.bodies(), objects.sides(), geometry_);
     setSolidVelocity();
-    objects.checkWeight();
+    if (objects.driving().type() == "none")
+    {
+        motionCheck(objects.bodies(), U_.time()).checkWeight
+        (
+            U_.mesh().boundaryMesh(), objects.sides().period(),
+            objects.gravity(), objects.fluid().density
+        );
+    }
 }
 
 
@@ -134,7 +138,7 @@ void Foam::fsi::fluidStep::setGivenFlux(const vectorField& wallVelocity)
     if (objects_.sides().anyOpen())
     {
         const population& bodies = objects_.bodies();
-        boolList isFree(bodies.size());
+        boolList isFree(bodies.nHeld());
         forAll(isFree, objecti)
         {
             isFree[objecti] = bodies.movesFreely(objecti);
@@ -252,10 +256,10 @@ void Foam::fsi::fluidStep::finishFluid
 }
 
 
-void Foam::fsi::fluidStep::beginMove()
+void Foam::fsi::fluidStep::beginMove(const std::vector<vectorField*>& nodal)
 {
     flux_.beginMove(U_, objects_.bodies().surfaces().velocities());
-    objects_.moveLevelSet();
+    objects_.moveLevelSet(nodal);
     const stepTimer::section coupling
     (
         objects_.timer(), stepTimer::part::coupling

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiStep.H"
+#include "objectResponse.H"
 #include "projectVersion.H"
 #include "restartFiles.H"
 #include "selection.H"
-#include "sharedPrediction.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -42,6 +42,10 @@ Foam::autoPtr<Foam::fsi::fsiStep> Foam::fsi::fsiStep::New
 {
     const dictionary& dict = objects.properties().subOrEmptyDict("coupling");
     const word type(dict.lookupOrDefault<word>("type", "solidImplicit"));
+    if (type == "solidImplicit" || type == "none")
+    {
+        objects.share();
+    }
     autoPtr<fsiStep> step
     (
         constructorOf
@@ -81,11 +85,11 @@ void Foam::fsi::fsiStep::predictAlone
 {
     const stepTimer::section solids(objects_.timer(), stepTimer::part::solids);
     const Time& time = objects_.grid().mesh().time();
-    predictShared
+    predictObjects
     (
         objects_.bodies(),
         time.value() - step.dt,
-        step.tau,
+        step,
         force,
         velocity_.change()
     );
@@ -122,9 +126,11 @@ void Foam::fsi::fsiStep::checkMembranes() const
 void Foam::fsi::fsiStep::announce() const
 {
     checkMembranes();
+    const population& bodies = objects_.bodies();
+    const label nNodes = label(bodies.ranks().sum(bodies.nNodes()));
     Info<< "FSIObjects " << projectVersion << ": "
-        << objects_.bodies().size() << " objects, "
-        << objects_.bodies().nNodes() << " nodes, ";
+        << bodies.nAll() << " objects, "
+        << nNodes << " nodes, ";
     describe(Info);
     Info<< ", level set " << objects_.levelSet().type() << nl << endl;
 }

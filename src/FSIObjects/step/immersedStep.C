@@ -7,7 +7,6 @@
 #include "objectResponse.H"
 #include "openfoamVersion.H"
 #include "openLaplacian.H"
-#include "sharedPrediction.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -164,11 +163,11 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
         rest[groupi] = bodies.groups()[groupi].splitLoad(load[groupi]);
         load[groupi] += force[groupi];
     }
-    predictShared
+    predictObjects
     (
         bodies,
         p_.time().value() - step().dt,
-        step().tau,
+        step(),
         load,
         predicted_
     );
@@ -194,7 +193,7 @@ void Foam::fsi::immersedStep::settle()
         velocity_.surface(),
         loss
     );
-    vectorField& force = loss.collect();
+    vectorField& force = loss.collect(objects_.bodies().ranks());
     force *= objects_.fluid().density;
     vectorField links;
     viscous_.linkForceBeyond(U_, links);
@@ -234,9 +233,11 @@ void Foam::fsi::immersedStep::moveWalls()
 {
     if (countsLayer())
     {
-        balance_.beginMove(U_);
+        balance_.beginMove(U_, objects_.bodies().surfaces().velocities());
     }
-    beginMove();
+    std::vector<vectorField*> nodal(balance_.nodal());
+    nodal.push_back(&hydrodynamicForce_);
+    beginMove(nodal);
     if (countsLayer())
     {
         balance_.endMove(U_);

@@ -112,7 +112,7 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
             source, guess, alone, U_
         ),
         U_.mesh().globalData().nTotalCells()*sqr(objects_.restSpeed()),
-        largestSpeed(velocity_.change()),
+        objects_.bodies().ranks().largest(largestSpeed(velocity_.groups())),
         largestSpeed(U_, inFluid)
     );
     sources.correct(U_);

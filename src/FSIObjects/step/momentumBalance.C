@@ -56,7 +56,37 @@ void Foam::fsi::momentumBalance::setLayer
             );
         }
     });
-    layer.transfer(part.collect());
+    layer.transfer(part.collect(bodies_.ranks()));
+}
+
+
+Foam::fsi::surfacePlace Foam::fsi::momentumBalance::kept
+(
+    surfacePlace place
+) const
+{
+    const label start = bodies_.surfaces().pointStart()[place.object];
+    for (label& nodei : place.nodes)
+    {
+        nodei -= nodei < 0 ? 0 : start;
+    }
+    place.object = bodies_.objectId(place.object);
+    return place;
+}
+
+
+Foam::fsi::surfacePlace Foam::fsi::momentumBalance::moved
+(
+    surfacePlace place
+) const
+{
+    place.object = bodies_.findObject(place.object);
+    const label start = bodies_.surfaces().pointStart()[place.object];
+    for (label& nodei : place.nodes)
+    {
+        nodei += nodei < 0 ? 0 : start;
+    }
+    return place;
 }
 
 
@@ -81,7 +111,7 @@ void Foam::fsi::momentumBalance::addPassedCells
     };
     forAll(cells_, i)
     {
-        add(cells_[i], places_[i]);
+        add(cells_[i], moved(places_[i]));
     }
     forCutCells([&](const cellWall& wall, const scalar)
     {
@@ -156,15 +186,16 @@ void Foam::fsi::momentumBalance::owe
 }
 
 
-void Foam::fsi::momentumBalance::beginMove(const volVectorField& U)
+void Foam::fsi::momentumBalance::beginMove
+(
+    const volVectorField& U,
+    const vectorField& v
+)
 {
     begin(U);
     const boolList& fluid = geometry_.fluidCell();
     const scalarField& V = U.mesh().V();
-    const vectorField gain
-    (
-        bodies_.surfaces().velocities() - wall_
-    );
+    const vectorField gain(v - wall_);
     wasFluid_ = fluid;
     cells_.clear();
     places_.clear();
@@ -178,10 +209,10 @@ void Foam::fsi::momentumBalance::beginMove(const volVectorField& U)
         if (fluid[celli])
         {
             cells_.append(celli);
-            places_.append(wall.place);
+            places_.append(kept(wall.place));
         }
     });
-    owed_ += density_*inertia.collect();
+    owed_ += density_*inertia.collect(bodies_.ranks());
 }
 
 
@@ -193,7 +224,7 @@ void Foam::fsi::momentumBalance::endMove(const volVectorField& U)
 
     vectorField layer;
     setLayer(U, v, layer);
-    owed_ += density_*(passed.collect() + layer - layer_);
+    owed_ += density_*(passed.collect(bodies_.ranks()) + layer - layer_);
     layer_ = layer;
     wall_ = v;
 }

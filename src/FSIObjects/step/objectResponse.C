@@ -5,6 +5,30 @@
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+void Foam::fsi::predictObjects
+(
+    const population& bodies,
+    const scalar time,
+    const stepLength& step,
+    const List<Eigen::MatrixXd>& force,
+    List<Eigen::MatrixXd>& velocity
+)
+{
+    velocity.resize(force.size());
+    forAll(velocity, groupi)
+    {
+        velocity[groupi].resize(force[groupi].rows(), force[groupi].cols());
+        if (velocity[groupi].size())
+        {
+            bodies.groups()[groupi].predict
+            (
+                time, step.tau, force[groupi], velocity[groupi]
+            );
+        }
+    }
+}
+
+
 void Foam::fsi::addNetForce
 (
     const population& bodies,

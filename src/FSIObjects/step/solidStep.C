@@ -45,11 +45,11 @@ void Foam::fsi::solidStep::advance(const flowSources&)
     if (rule_.secondOrder())
     {
         objects_.expect(rule_);
-        objects_.moveLevelSet();
+        objects_.moveLevelSet({});
     }
     predictAlone(objects_.forces(step), step);
     objects_.move(velocity_.groups(), step);
-    objects_.moveLevelSet();
+    objects_.moveLevelSet({&hydrodynamicForce_});
 }
 
 

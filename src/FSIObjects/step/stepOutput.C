@@ -92,9 +92,10 @@ void Foam::fsi::stepOutput::report(const timeError& error)
         objects_.grid().haloIndex()
     );
     const contactStatistics& contacts = objects_.contact().statistics();
-    record.contacts = contacts.contacts;
-    record.smallestGap = contacts.smallestGap;
-    record.contactEnergy = contacts.potentialEnergy;
+    const objectRanks& ranks = objects_.bodies().ranks();
+    record.contacts = label(ranks.sum(contacts.contacts));
+    record.smallestGap = -ranks.largest(-contacts.smallestGap);
+    record.contactEnergy = ranks.sum(contacts.potentialEnergy);
     record.misfit = levelSet.misfit(objects_.surfaces());
     record.rebuilds = levelSet.nRebuilds();
 
@@ -117,22 +118,42 @@ void Foam::fsi::stepOutput::report(const timeError& error)
 void Foam::fsi::stepOutput::writeRows(const vectorField& hydrodynamicForce)
 {
     List<objectRecord> records(objectRecord::sample(objects_.bodies()));
-    const surfaceSet& surfaces = objects_.bodies().surfaces();
-    const labelList& pointObject = surfaces.pointObject();
-    forAll(pointObject, nodei)
+    const population& bodies = objects_.bodies();
+    const surfaceSet& surfaces = bodies.surfaces();
+    const label nOwned = surfaces.pointStart()[bodies.size()];
+    for (label nodei = 0; nodei < nOwned; ++nodei)
     {
-        objectRecord& r = records[pointObject[nodei]];
+        objectRecord& r = records[surfaces.pointObject()[nodei]];
         const vector& force = hydrodynamicForce[nodei];
         r.force += force;
         r.torque += (surfaces.points()[nodei] - r.centroid) ^ force;
     }
+    // Pairs of an object that no one pushes are at the ranks of the others
     const contactStatistics& contacts = objects_.contact().statistics();
+    scalarField numbers(bodies.nHeld(), Zero), gaps(bodies.nHeld(), GREAT);
     forAll(contacts.objectContacts, objecti)
     {
-        records[objecti].contacts = contacts.objectContacts[objecti];
-        records[objecti].smallestGap = contacts.objectGaps[objecti];
+        if (objecti < bodies.size() || !bodies.movesFreely(objecti))
+        {
+            numbers[objecti] = contacts.objectContacts[objecti];
+            gaps[objecti] = contacts.objectGaps[objecti];
+        }
     }
-    writer_.writeRows(objects_.grid().mesh().time().value(), records);
+    if (!bodies.ranks().shared())
+    {
+        bodies.ranks().collect({objectRanks::values::ofObjects(numbers)});
+        bodies.ranks().collectLeast(gaps);
+    }
+    forAll(records, objecti)
+    {
+        records[objecti].contacts = label(numbers[objecti]);
+        records[objecti].smallestGap = gaps[objecti];
+    }
+    writer_.writeRows
+    (
+        objects_.grid().mesh().time().value(),
+        objectRecord::gathered(bodies, records)
+    );
 }
 
 
@@ -172,7 +193,10 @@ void Foam::fsi::stepOutput::write
         return;
     }
     setFields();
-    writer_.writeShapes(mesh.time().value(), objects_.bodies());
+    autoPtr<population> storage;
+    const population& all = objects_.bodies().whole(storage);
+    writer_.writeShapes(mesh.time().value(), all);
+    all.write();
     objects_.write();
     error.write();
     restartFiles::write(mesh);

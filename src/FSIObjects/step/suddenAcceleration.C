@@ -35,7 +35,10 @@ Foam::vector Foam::fsi::suddenAcceleration::bodyChange
 {
     return
         bodies_.groups()[groupi].movesFreely()
-      ? objects_.bodyAcceleration(groupi, gravity_, driving_)
+      ? objects_.fluid().accelerationOf
+        (
+            bodies_.shape(groupi).density(), gravity_, driving_
+        )
       : Zero;
 }
 
@@ -45,7 +48,7 @@ Foam::scalar Foam::fsi::suddenAcceleration::largestDifference() const
     scalar largest = 0;
     forAll(bodies_.groups(), groupi)
     {
-        if (bodies_.groups()[groupi].size())
+        if (bodies_.nCopies(groupi))
         {
             largest = max(largest, mag(bodyChange(groupi) - driving_));
         }

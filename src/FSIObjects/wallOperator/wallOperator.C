@@ -6,9 +6,14 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::wallOperator::wallOperator(const interfaceGeometry& geometry)
+Foam::fsi::wallOperator::wallOperator
+(
+    const interfaceGeometry& geometry,
+    const objectRanks& ranks
+)
 :
     geometry_(geometry),
+    ranks_(ranks),
     nNodes_(0),
     nObjects_(0)
 {}
@@ -73,46 +78,9 @@ void Foam::fsi::wallOperator::setEntries()
             }
         );
     }
-    sumOverRanks(perArea_);
+    ranks_.collect({objectRanks::values::ofObjects(perArea_)});
     perArea_ = 1/max(perArea_, VSMALL);
-}
-
-
-void Foam::fsi::wallOperator::setCuts(const surfaceSet& surfaces)
-{
-    cutNodes_.clear();
-    cutAreas_.clear();
-    cutPatches_.clear();
-    cutFaces_.clear();
-    const polyBoundaryMesh& patches =
-        geometry_.grid().mesh().boundaryMesh();
-    const auto add = [&](const label nodei, const wallFace& w, const scalar s)
-    {
-        vector area(Zero);
-        area[w.dir] = (w.lower >= 0 ? s : -s)*w.area;
-        cutNodes_.append(nodei);
-        cutAreas_.append(area);
-        const label patchi = patches.whichPatch(w.face);
-        cutPatches_.append(patchi);
-        cutFaces_.append(w.face - patches[patchi].start());
-    };
-    for (const wallFace& w : geometry_.outsideWalls())
-    {
-        if (w.place.nodes[0] >= 0)
-        {
-            for (label k = 0; k < 3 && w.place.nodes[k] >= 0; ++k)
-            {
-                add(w.place.nodes[k], w, w.place.weights[k]);
-            }
-            continue;
-        }
-        const label start = surfaces.pointStart()[w.place.object];
-        const label end = surfaces.pointStart()[w.place.object + 1];
-        for (label nodei = start; nodei < end; ++nodei)
-        {
-            add(nodei, w, scalar(1)/(end - start));
-        }
-    }
+    ranks_.spread({objectRanks::values::ofObjects(perArea_)});
 }
 
 
@@ -127,7 +95,7 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
     meanPressure_.setSize(nObjects_);
 
     setEntries();
-    setCuts(surfaces);
+    cuts_.update(geometry_, surfaces);
     transposeSums(scalarField(cells_.size(), 1), uniformForce_);
     givenFlux_.setSize(nObjects_);
     givenFlux_ = Zero;
@@ -141,17 +109,9 @@ void Foam::fsi::wallOperator::setOutside
 )
 {
     partialForces load(nNodes_), cut(nNodes_);
-    forAll(cutNodes_, i)
-    {
-        const fvPatchScalarField& pp = p.boundaryField()[cutPatches_[i]];
-        if (pp.fixesValue())
-        {
-            cut.mine()[cutNodes_[i]] -= cutAreas_[i];
-            load.mine()[cutNodes_[i]] -= pp[cutFaces_[i]]*cutAreas_[i];
-        }
-    }
-    uniformForce_ += cut.collect();
-    force = load.collect();
+    cuts_.addPressure(p, cut.mine(), load.mine());
+    uniformForce_ += cut.collect(ranks_);
+    force = load.collect(ranks_);
 }
 
 
@@ -164,21 +124,20 @@ void Foam::fsi::wallOperator::setGivenFlux
 )
 {
     givenFlux_ = Zero;
-    forAll(cutNodes_, i)
+    cuts_.addGivenFlux(p, U, isFree, v, pointObject_, givenFlux_);
+    ranks_.collect({objectRanks::values::ofObjects(givenFlux_)});
+    ranks_.spread({objectRanks::values::ofObjects(givenFlux_)});
+}
+
+
+Foam::scalar Foam::fsi::wallOperator::givenFlux() const
+{
+    scalar flux = 0;
+    for (label objecti = 0; objecti < ranks_.nOwned(nObjects_); ++objecti)
     {
-        if (!p.boundaryField()[cutPatches_[i]].fixesValue())
-        {
-            const label objecti = pointObject_[cutNodes_[i]];
-            givenFlux_[objecti] +=
-                cutAreas_[i]
-              & (
-                    isFree[objecti]
-                  ? U.boundaryField()[cutPatches_[i]][cutFaces_[i]]
-                  : v[cutNodes_[i]]
-                );
-        }
+        flux += givenFlux_[objecti];
     }
-    sumOverRanks(givenFlux_);
+    return ranks_.sum(flux);
 }
 
 
@@ -230,7 +189,7 @@ void Foam::fsi::wallOperator::gradientForce
             }
         }
     }
-    f.transfer(part.collect());
+    f.transfer(part.collect(ranks_));
 }
 
 

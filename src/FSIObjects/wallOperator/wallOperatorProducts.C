@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallOperator.H"
-#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -23,7 +22,11 @@ void Foam::fsi::wallOperator::transposeSums
     }
     meanPressure_ *= perArea_;
 
-    sumOverRanks(force, meanPressure_);
+    ranks_.collect
+    ({
+        objectRanks::values::ofNodes(force),
+        objectRanks::values::ofObjects(meanPressure_)
+    });
 }
 
 
@@ -52,9 +55,9 @@ void Foam::fsi::wallOperator::addFluxAtWalls
     scalarField& Jv
 ) const
 {
-    // Net flux 1.J v of each object: no exchange, the nodes are on all ranks
+    // Net flux 1.J v of each object
     scalarField& net = meanPressure_;
-    forAll(net, objecti)
+    for (label objecti = 0; objecti < ranks_.nOwned(nObjects_); ++objecti)
     {
         scalar sum = 0;
         for (label i = pointStart_[objecti]; i < pointStart_[objecti + 1]; ++i)
@@ -63,7 +66,18 @@ void Foam::fsi::wallOperator::addFluxAtWalls
         }
         net[objecti] = sum;
     }
-    addFluxLess(net, v, Jv);
+    if (ranks_.shared())
+    {
+        addFluxLess(net, v, Jv);
+        return;
+    }
+    heldVelocity_ = v;
+    ranks_.spread
+    ({
+        objectRanks::values::ofNodes(heldVelocity_),
+        objectRanks::values::ofObjects(net)
+    });
+    addFluxLess(net, heldVelocity_, Jv);
 }
 
 

@@ -211,7 +211,7 @@ void Foam::fsi::forcedStep::advance(const flowSources&)
     takeObjects(last);
     objects_.limit(velocity_, step);
     objects_.move(velocity_.groups(), step);
-    objects_.moveLevelSet();
+    objects_.moveLevelSet({});
     updateCoverage();
     if (U_.time().writeTime())
     {

@@ -4,6 +4,7 @@
 #include "partialForces.H"
 #include "fvcGrad.H"
 #include "addToRunTimeSelectionTable.H"
+#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -105,7 +106,7 @@ void Foam::fsi::nearestCellLoad::calculate
             part.mine()[surfaces.faces()[facei][i]] += traction/nNodes;
         }
     }
-    force = part.collect();
+    force = part.collect(step_.objects().bodies().ranks());
 }
 
 

@@ -40,7 +40,7 @@ void Foam::fsi::wallForceLoad::calculate
     const scalar viscosity = step_.objects().fluid().dynamicViscosity();
     partialForces links(wallVelocity.size());
     addLinkForce(step_.geometry(), viscosity, U, wallVelocity, links);
-    force = links.collect();
+    force = links.collect(step_.objects().bodies().ranks());
     addTransposedForce
     (
         transposedModes

@@ -233,7 +233,7 @@ void Foam::fsi::weakStep::advance(const flowSources& sources)
     objects_.limit(velocity_, step);
     objects_.constrain(velocity_, step);
     objects_.move(velocity_.groups(), step);
-    beginMove();
+    beginMove({});
     endMove();
     moveFlux(phi_);
     level_.set();

@@ -2,9 +2,7 @@
 
 #include "bodyMotion.H"
 #include "elasticBodies.H"
-#include "groupEntries.H"
 #include "immersedBodies.H"
-#include "matrixEntry.H"
 #include "membraneBodies.H"
 #include "openfoamVersion.H"
 #include "prescribedBodies.H"
@@ -14,11 +12,8 @@
 
 Foam::fsi::bodyGroup::bodyGroup(const shapeTemplate& shape)
 :
-    shape_(shape)
-{
-    resizeNodes(shape.nNodes(), 0);
-    owedImpulse_.resize(shape.nBoundaryNodes(), 0);
-}
+    bodyCopies(shape)
+{}
 
 
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
@@ -63,16 +58,6 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::bodyGroup::resize(const label nCopies)
-{
-    resizeNodes(shape_.nNodes(), shape_.nDims()*nCopies);
-    objectIds_.resize(nCopies, -1);
-    const label nColumns = shape_.nDims()*nCopies;
-    owedImpulse_.conservativeResize(shape_.nBoundaryNodes(), nColumns);
-    resizeState(nCopies);
-}
-
-
 Foam::label Foam::fsi::bodyGroup::append
 (
     const point& centre,
@@ -85,14 +70,13 @@ Foam::label Foam::fsi::bodyGroup::append
 {
     const label copyi = made < 0 ? size() : made;
     resize(max(size(), copyi + 1));
-    const label nDims = shape_.nDims();
-    objectIds_[copyi] = objectId;
-    ofCopy(owedImpulse_, copyi).setZero();
+    const label nDims = shape().nDims();
+    startCopy(copyi, objectId);
     startState(copyi);
 
-    forAll(shape_.points(), nodei)
+    forAll(shape().points(), nodei)
     {
-        const vector arm = rotation & shape_.points()[nodei];
+        const vector arm = rotation & shape().points()[nodei];
         const vector nodeVelocity = velocity + (angularVelocity ^ arm);
         for (label i = 0; i < nDims; ++i)
         {
@@ -105,34 +89,6 @@ Foam::label Foam::fsi::bodyGroup::append
 }
 
 
-void Foam::fsi::bodyGroup::remove(const label copyi)
-{
-    for (label next = copyi + 1; next < size(); ++next)
-    {
-        const label n = shape_.nDims();
-        copyNodes(n*next, n*(next - 1), n);
-        objectIds_[next - 1] = objectIds_[next];
-        ofCopy(owedImpulse_, next - 1) = ofCopy(owedImpulse_, next);
-        copyState(next, next - 1);
-    }
-    resize(size() - 1);
-}
-
-
-void Foam::fsi::bodyGroup::predictRange
-(
-    const scalar,
-    const Eigen::MatrixXd&,
-    const labelRange&,
-    Eigen::MatrixXd&
-) const
-{
-    FatalErrorInFunction
-        << "The copies of shape " << shape_.name()
-        << " are predicted all at once only" << exit(FatalError);
-}
-
-
 void Foam::fsi::bodyGroup::move(const scalar dt, const Eigen::MatrixXd& v)
 {
     finishNodes(dt, v);
@@ -142,11 +98,7 @@ void Foam::fsi::bodyGroup::move(const scalar dt, const Eigen::MatrixXd& v)
 void Foam::fsi::bodyGroup::write(Ostream& os) const
 {
     const int oldPrecision = os.precision(17);
-
-    putEntry(os, "shape", shape_.name());
-    putList(os, "objectIds", objectIds_);
-    writeNodes(os);
-    writeMatrix(os, "owedImpulse", owedImpulse_);
+    writeCopies(os);
     writeState(os);
 
     os.precision(oldPrecision);
@@ -155,11 +107,7 @@ void Foam::fsi::bodyGroup::write(Ostream& os) const
 
 void Foam::fsi::bodyGroup::read(const dictionary& dict)
 {
-    const labelList ids(readGroupIds(dict, shape_.name()));
-    resize(ids.size());
-    objectIds_ = ids;
-    readNodes(dict);
-    readMatrix(dict, "owedImpulse", owedImpulse_);
+    readCopies(dict);
     readState(dict);
 }
 

@@ -39,15 +39,15 @@ Foam::vector Foam::fsi::bodyGroup::massAverage
 ) const
 {
     vector sum(Zero);
-    for (label i = 0; i < shape_.nDims(); ++i)
+    for (label i = 0; i < shape().nDims(); ++i)
     {
-        const auto column = values.col(shape_.nDims()*copyi + i);
-        forAll(shape_.nodeMasses(), nodei)
+        const auto column = values.col(shape().nDims()*copyi + i);
+        forAll(shape().nodeMasses(), nodei)
         {
-            sum[i] += shape_.nodeMasses()[nodei]*column[nodei];
+            sum[i] += shape().nodeMasses()[nodei]*column[nodei];
         }
     }
-    return sum/Foam::sum(shape_.nodeMasses());
+    return sum/Foam::sum(shape().nodeMasses());
 }
 
 
@@ -63,8 +63,8 @@ Foam::scalar Foam::fsi::bodyGroup::kineticEnergy() const
 {
     const Eigen::Map<const Eigen::VectorXd> masses
     (
-        shape_.nodeMasses().cdata(),
-        shape_.nNodes()
+        shape().nodeMasses().cdata(),
+        shape().nNodes()
     );
     return 0.5*masses.dot(velocities().rowwise().squaredNorm());
 }
@@ -72,7 +72,7 @@ Foam::scalar Foam::fsi::bodyGroup::kineticEnergy() const
 
 Foam::scalar Foam::fsi::bodyGroup::volume(const label copyi) const
 {
-    return bodyVolume::of(shape_.faces(), ofCopy(positions(), copyi));
+    return bodyVolume::of(shape().faces(), ofCopy(positions(), copyi));
 }
 
 
@@ -90,20 +90,20 @@ Foam::vector Foam::fsi::bodyGroup::velocity(const label copyi) const
 
 Foam::vector Foam::fsi::bodyGroup::momentum(const label copyi) const
 {
-    return sum(shape_.nodeMasses())*velocity(copyi);
+    return sum(shape().nodeMasses())*velocity(copyi);
 }
 
 
 Foam::vector Foam::fsi::bodyGroup::angularMomentum(const label copyi) const
 {
-    const label nDims = shape_.nDims();
+    const label nDims = shape().nDims();
     const point centre(centroid(copyi));
     vector sum(Zero);
-    forAll(shape_.nodeMasses(), nodei)
+    forAll(shape().nodeMasses(), nodei)
     {
         const vector arm(valueAt(positions(), nDims, nodei, copyi) - centre);
         sum +=
-            shape_.nodeMasses()[nodei]
+            shape().nodeMasses()[nodei]
            *(arm ^ valueAt(velocities(), nDims, nodei, copyi));
     }
     return sum;
@@ -112,14 +112,14 @@ Foam::vector Foam::fsi::bodyGroup::angularMomentum(const label copyi) const
 
 Foam::vector Foam::fsi::bodyGroup::angularVelocity(const label copyi) const
 {
-    const label nDims = shape_.nDims();
+    const label nDims = shape().nDims();
     const point centre(centroid(copyi));
     symmTensor inertia(Zero);
-    forAll(shape_.nodeMasses(), nodei)
+    forAll(shape().nodeMasses(), nodei)
     {
         const vector arm(valueAt(positions(), nDims, nodei, copyi) - centre);
         inertia +=
-            shape_.nodeMasses()[nodei]*(magSqr(arm)*symmTensor::I - sqr(arm));
+            shape().nodeMasses()[nodei]*(magSqr(arm)*symmTensor::I - sqr(arm));
     }
     const vector moment(angularMomentum(copyi));
     if (nDims == 2)

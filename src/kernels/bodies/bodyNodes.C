@@ -8,6 +8,7 @@
 
 Foam::fsi::bodyNodes::bodyNodes()
 :
+    history_(false),
     deltaT_(0),
     ratio_(0)
 {}
@@ -21,10 +22,9 @@ void Foam::fsi::bodyNodes::resizeNodes
     const label nColumns
 )
 {
-    const bool history = lastMean_.size();
     positions_.conservativeResize(nNodes, nColumns);
     velocities_.conservativeResize(nNodes, nColumns);
-    if (history)
+    if (history_)
     {
         lastMean_.conservativeResize(nNodes, nColumns);
         lastVelocities_.conservativeResize(nNodes, nColumns);
@@ -38,7 +38,7 @@ void Foam::fsi::bodyNodes::startNodes
     const label nColumns
 )
 {
-    if (lastMean_.size())
+    if (history_)
     {
         const auto v = velocities_.middleCols(firstColumn, nColumns);
         lastMean_.middleCols(firstColumn, nColumns) = v;
@@ -47,23 +47,19 @@ void Foam::fsi::bodyNodes::startNodes
 }
 
 
-void Foam::fsi::bodyNodes::copyNodes
+void Foam::fsi::bodyNodes::exchangeNodes
 (
-    const label from,
-    const label to,
-    const label nColumns
+    const label firstColumn,
+    const label nColumns,
+    copyValues& values
 )
 {
-    for
-    (
-        Eigen::MatrixXd* each :
-        {&positions_, &velocities_, &lastMean_, &lastVelocities_}
-    )
+    values.block(positions_.middleCols(firstColumn, nColumns));
+    values.block(velocities_.middleCols(firstColumn, nColumns));
+    if (history_)
     {
-        if (each->size())
-        {
-            each->middleCols(to, nColumns) = each->middleCols(from, nColumns);
-        }
+        values.block(lastMean_.middleCols(firstColumn, nColumns));
+        values.block(lastVelocities_.middleCols(firstColumn, nColumns));
     }
 }
 
@@ -72,7 +68,7 @@ void Foam::fsi::bodyNodes::writeNodes(Ostream& os) const
 {
     writeMatrix(os, "positions", positions_);
     writeMatrix(os, "velocities", velocities_);
-    if (lastMean_.size())
+    if (history_)
     {
         writeMatrix(os, "lastMean", lastMean_);
         writeMatrix(os, "lastVelocities", lastVelocities_);
@@ -84,9 +80,8 @@ void Foam::fsi::bodyNodes::readNodes(const dictionary& dict)
 {
     readMatrix(dict, "positions", positions_);
     readMatrix(dict, "velocities", velocities_);
-    lastMean_.resize(0, 0);
-    lastVelocities_.resize(0, 0);
-    if (dict.found("lastMean") || dict.found("lastVelocities"))
+    history_ = dict.found("lastMean") || dict.found("lastVelocities");
+    if (history_)
     {
         lastMean_ = velocities_;
         lastVelocities_ = velocities_;
@@ -136,8 +131,9 @@ void Foam::fsi::bodyNodes::begin
 {
     deltaT_ = dt;
     ratio_ = ratio;
-    if (lastMean_.cols() != velocities_.cols())
+    if (!history_)
     {
+        history_ = true;
         lastMean_ = velocities_;
         lastVelocities_ = velocities_;
     }

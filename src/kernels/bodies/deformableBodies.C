@@ -89,11 +89,15 @@ void Foam::fsi::deformableBodies::startState(const label copyi)
 }
 
 
-void Foam::fsi::deformableBodies::copyState(const label from, const label to)
+void Foam::fsi::deformableBodies::exchangeState
+(
+    const label copyi,
+    copyValues& values
+)
 {
     if (shape().law().hasState())
     {
-        springStates_.col(to) = springStates_.col(from);
+        values.block(springStates_.col(copyi));
     }
 }
 

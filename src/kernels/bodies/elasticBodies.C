@@ -35,11 +35,15 @@ void Foam::fsi::elasticBodies::startState(const label copyi)
 }
 
 
-void Foam::fsi::elasticBodies::copyState(const label from, const label to)
+void Foam::fsi::elasticBodies::exchangeState
+(
+    const label copyi,
+    copyValues& values
+)
 {
-    deformableBodies::copyState(from, to);
-    ofCopy(meanLoad_, to) = ofCopy(meanLoad_, from);
-    ofCopy(lastLoad_, to) = ofCopy(lastLoad_, from);
+    deformableBodies::exchangeState(copyi, values);
+    values.block(ofCopy(meanLoad_, copyi));
+    values.block(ofCopy(lastLoad_, copyi));
 }
 
 
@@ -107,18 +111,7 @@ void Foam::fsi::elasticBodies::predict
     Eigen::MatrixXd& v
 ) const
 {
-    predictRange(dt, force, labelRange(0, size()), v);
-}
-
-
-void Foam::fsi::elasticBodies::predictRange
-(
-    const scalar dt,
-    const Eigen::MatrixXd& force,
-    const labelRange& copies,
-    Eigen::MatrixXd& v
-) const
-{
+    const labelRange copies(0, size());
     const bool viscous = shape().viscosity() > 0;
     Eigen::MatrixXd total;
     if (viscous)

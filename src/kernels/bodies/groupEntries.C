@@ -23,7 +23,8 @@ Foam::labelList Foam::fsi::readGroupIds
         {
             "FoamFile", "motion", "shape", "objectIds", "positions",
             "velocities", "lastMean", "lastVelocities", "meanLoad",
-            "lastLoad", "owedImpulse", "springStates", "triangles"
+            "lastLoad", "owedImpulse", "contactRange", "periods",
+            "springStates", "triangles"
         }
     );
     const word name(getEntry<word>(dict, "shape"));

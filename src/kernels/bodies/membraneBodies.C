@@ -129,10 +129,20 @@ void Foam::fsi::membraneBodies::startState(const label copyi)
 }
 
 
-void Foam::fsi::membraneBodies::copyState(const label from, const label to)
+void Foam::fsi::membraneBodies::exchangeState
+(
+    const label copyi,
+    copyValues& values
+)
 {
-    deformableBodies::copyState(from, to);
-    triangles_[to] = triangles_[from];
+    deformableBodies::exchangeState(copyi, values);
+    for (bodyElement& triangle : triangles_[copyi])
+    {
+        for (label i = 0; i < 3; ++i)
+        {
+            values.number(triangle[i]);
+        }
+    }
 }
 
 

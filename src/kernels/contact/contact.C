@@ -4,8 +4,6 @@
 #include "readBetween.H"
 #include "dictionaryCheck.H"
 
-#include <algorithm>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -109,7 +107,11 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
     const scalar dt
 ) const
 {
-    return {surfaces, velocities, bodies, pairs, film_(), scales_.range, dt, 0};
+    return
+    {
+        surfaces, velocities, bodies, pairs, film_(), scales_.range, dt, 0,
+        exchange_
+    };
 }
 
 
@@ -136,57 +138,6 @@ void Foam::fsi::contact::find
         );
     }
     while (ranges_.widen(surfaces, found_.pairs, margin_, reaches));
-}
-
-
-void Foam::fsi::contact::count(const surfaceSet& surfaces)
-{
-    statistics_.contacts = 0;
-    statistics_.smallestGap = GREAT;
-    statistics_.potentialEnergy = 0;
-    statistics_.sweeps = 0;
-    statistics_.objectContacts.setSize(surfaces.size());
-    statistics_.objectContacts = 0;
-    statistics_.objectGaps.setSize(surfaces.size());
-    statistics_.objectGaps = GREAT;
-    touching_.clear();
-
-    for (const contactPair& pair : found_.pairs)
-    {
-        const label own = surfaces.pointObject()[pair.node];
-        scalar& ownGap = statistics_.objectGaps[own];
-        ownGap = min(ownGap, pair.gap);
-        if (pair.other >= 0)
-        {
-            scalar& otherGap = statistics_.objectGaps[pair.other];
-            otherGap = min(otherGap, pair.gap);
-        }
-        statistics_.smallestGap = min(statistics_.smallestGap, pair.gap);
-        // Not all pairs within the range are known where objects have less
-        const scalar range =
-            limited_ && pair.other != own
-          ? scales_.range/pair.stretch
-          : scales_.range;
-        if (pair.gap < range)
-        {
-            touching_.append
-            (
-                labelPair(min(own, pair.other), max(own, pair.other))
-            );
-        }
-    }
-
-    std::sort(touching_.begin(), touching_.end());
-    const auto end = std::unique(touching_.begin(), touching_.end());
-    for (auto touch = touching_.begin(); touch != end; ++touch)
-    {
-        ++statistics_.contacts;
-        ++statistics_.objectContacts[touch->second()];
-        if (touch->first() >= 0)
-        {
-            ++statistics_.objectContacts[touch->first()];
-        }
-    }
 }
 
 
@@ -226,14 +177,26 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
     }
     if (law_->startsAtRest())
     {
-        ranges_.update(surfaces, found_.pairs);
+        ranges_.update(surfaces, found_.pairs, exchange_);
     }
-    count(surfaces);
-    statistics_.potentialEnergy =
-        law_->potentialEnergy
+    contactProblem all
+    (
+        problem(surfaces, surfaces.velocities(), bodies, found_, GREAT)
+    );
+    counts_.count(all, limited_, statistics_);
+    statistics_.potentialEnergy = law_->potentialEnergy
+    (
+        exchange_
+      ? problem
         (
-            problem(surfaces, surfaces.velocities(), bodies, found_, GREAT)
-        );
+            surfaces,
+            surfaces.velocities(),
+            bodies,
+            counts_.ownPairs(all),
+            GREAT
+        )
+      : all
+    );
     return statistics_;
 }
 
@@ -282,7 +245,8 @@ Foam::label Foam::fsi::contact::limit
         walls,
         dt,
         known ? &found_ : nullptr,
-        force
+        force,
+        exchange_
     );
 }
 

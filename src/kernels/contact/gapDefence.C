@@ -113,12 +113,18 @@ Foam::label Foam::fsi::gapDefence::limit
     const UList<contactWall>& walls,
     const scalar dt,
     const contactPairs* found,
-    vectorField& force
+    vectorField& force,
+    const contactExchange* exchange
 )
 {
     force.setSize(surfaces.points().size());
     force = Zero;
-    if (found && !mayClose(surfaces, velocities, *found, dt))
+    const auto ofAll = [&](const scalar value)
+    {
+        return exchange ? exchange->largest(value) : value;
+    };
+    const bool needed = !found || mayClose(surfaces, velocities, *found, dt);
+    if (ofAll(needed ? 1 : 0) == 0)
     {
         return 0;
     }
@@ -140,7 +146,7 @@ Foam::label Foam::fsi::gapDefence::limit
     {
         smallestGap = min(smallestGap, pair.gap);
     }
-    if (smallestGap >= minimumGap_)
+    if (-ofAll(-smallestGap) >= minimumGap_)
     {
         return 0;
     }
@@ -148,7 +154,8 @@ Foam::label Foam::fsi::gapDefence::limit
     // Their gaps at the start of the step, along the same normals
     const contactProblem problem
     {
-        moved_, velocities, bodies, closing_, noFilm_, minimumGap_, dt, 0
+        moved_, velocities, bodies, closing_, noFilm_, minimumGap_, dt, 0,
+        exchange
     };
     for (contactPair& pair : closing_.pairs)
     {

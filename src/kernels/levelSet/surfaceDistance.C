@@ -2,6 +2,7 @@
 
 #include "surfaceDistance.H"
 #include "fetchSamples.H"
+#include "sortedObjects.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -25,8 +26,7 @@ void Foam::fsi::surfaceDistance::check
             FatalErrorInFunction
                 << "Node " << nodei << " of object "
                 << surfaces.pointObject()[nodei] << " is at "
-                << surfaces.points()[nodei]
-                << exit(FatalError);
+                << surfaces.points()[nodei] << exit(FatalError);
         }
     }
 }
@@ -39,8 +39,8 @@ Foam::boundBox Foam::fsi::surfaceDistance::reach
 ) const
 {
     // A little wider, for round-off
-    const vector width(vector::uniform(1.001*bandWidth_));
     const boundBox bounds(surfaces.bounds(objecti));
+    const vector width(vector::uniform(1.001*bandWidth_));
     return boundBox(bounds.min() - width, bounds.max() + width);
 }
 
@@ -52,7 +52,7 @@ void Foam::fsi::surfaceDistance::addObjects
     const bool fixed
 )
 {
-    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    for (const label objecti : sortedObjects(surfaces))
     {
         if (surfaces.fixed(objecti) != fixed || !surfaces.hasWalls(objecti))
         {

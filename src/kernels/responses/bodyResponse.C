@@ -30,7 +30,7 @@ void Foam::fsi::bodyResponse::respond
 ) const
 {
     const direction nDims = shape_.nDims();
-    if (matrix_.valid())
+    if (matrix_.valid() && nCopies())
     {
         v = force;
         matrix_->solve(v);
@@ -78,12 +78,15 @@ void Foam::fsi::bodyResponse::prepare
 {
     deltaT_ = dt;
     positions_ = positions;
-    if (matrix_.valid())
+    if (matrix_.valid() && nCopies())
     {
         matrix_->prepare(dt, positions, triangles);
     }
     modes_.clear();
-    makeModes();
+    if (nCopies())
+    {
+        makeModes();
+    }
 
     const label nB = shape_.nBoundaryNodes();
     const label nDims = shape_.nDims();
@@ -134,7 +137,7 @@ void Foam::fsi::bodyResponse::respondBoundary
     Eigen::MatrixXd& v
 ) const
 {
-    if (matrix_.valid())
+    if (matrix_.valid() && nCopies())
     {
         matrix_->solveBoundary(force, v);
     }
@@ -171,7 +174,7 @@ void Foam::fsi::bodyResponse::respondRoughly
     Eigen::MatrixXd& v
 ) const
 {
-    if (matrix_.valid())
+    if (matrix_.valid() && nCopies())
     {
         matrix_->solveBoundary(force, v);
     }

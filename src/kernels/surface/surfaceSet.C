@@ -2,7 +2,6 @@
 
 #include "surfaceSet.H"
 #include "facesAcross.H"
-#include "triangleProjection.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -90,8 +89,10 @@ Foam::label Foam::fsi::surfaceSet::append
     const label first = size();
     pointStart_.resize(first + number + 1);
     faceStart_.resize(first + number + 1);
+    keys_.resize(first + number);
     for (label i = first; i < first + number; ++i)
     {
+        keys_[i] = labelPair(i, 0);
         pointStart_[i + 1] = pointStart_[i] + points.size();
         faceStart_[i + 1] = faceStart_[i] + faces.size();
     }
@@ -164,20 +165,6 @@ void Foam::fsi::surfaceSet::appendImages
 void Foam::fsi::surfaceSet::clear()
 {
     *this = surfaceSet(nDims_);
-}
-
-
-Foam::point Foam::fsi::surfaceSet::nearestOnTriangle
-(
-    const label facei,
-    const point& p,
-    FixedList<scalar, 3>& weights
-) const
-{
-    const surfaceFace& f = faces_[facei];
-    const triangleProjection face(points_[f[0]], points_[f[1]], points_[f[2]]);
-    weights = face.weights(p);
-    return interpolate(points_, facei, weights);
 }
 
 

@@ -70,8 +70,6 @@ EDITS = [
     (COUNTS, r"planeZ\s+\S+;", "planeZ 55;", "planeZ"),
     (COUNTS, r"nextObjectId\s+\d", "nextObjectId 1", "objectIds"),
     (COUNTS, r"nextObjectId\s+\d;", "nextObjectId { }", "nextObjectId"),
-    (COUNTS, r"(nextObjectId\s+\d;)", r"\1 periods 1((9 (1 0 0)));",
-     "periods"),
 ]
 
 # The same of the mesh's files and of headers: what is named

@@ -221,7 +221,7 @@ TEST(secondOrder, newCopiesAndRemovedOnes)
     EXPECT_NEAR(group->centroid(1).x(), 0.005, 1e-10);
 
     const Eigen::MatrixXd second(group->positions().rightCols(2));
-    group->remove(0);
+    group->remove(labelList({0}));
     EXPECT_TRUE(group->positions() == second);
     run.advance(group(), 0);
     EXPECT_NEAR(group->centroid(0).x(), 0.01, 1e-10);

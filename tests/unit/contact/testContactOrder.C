@@ -87,8 +87,8 @@ TEST(ContactOrder, edgesOfAColourShareNoObject)
     order.set(discs.surfaces, discs.bodies, pairs);
 
     // A disc has at most six neighbours and a wall
-    EXPECT_GE(order.starts().size(), 6);
-    EXPECT_LE(order.starts().size(), 11);
+    EXPECT_GE(order.nColours(), 6);
+    EXPECT_LE(order.nColours(), 11);
 
     labelList visited(pairs.size(), Zero);
     labelList edgeOf(discs.surfaces.size(), -1);

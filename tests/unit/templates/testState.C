@@ -157,7 +157,7 @@ TEST(state, membraneRoundTripKeepsEveryBit)
         EXPECT_TRUE(again2.membrane());
     }
 
-    group->remove(0);
+    group->remove(labelList({0}));
     EXPECT_FALSE(group->elements(0) == shape->elements());
 }
 
@@ -167,7 +167,7 @@ TEST(state, removedCopyLeavesTheOthers)
     auto shape = disc(rubber);
     auto group = moving(*shape);
     const Eigen::MatrixXd positions = group->positions();
-    group->remove(1);
+    group->remove(labelList({1}));
 
     ASSERT_EQ(group->size(), 2);
     EXPECT_TRUE(group->objectIds() == labelList({10, 12}));
@@ -225,8 +225,8 @@ TEST(state, meanLoadFollowsItsCopy)
     {
         auto restored = groupOf(*shape);
         IStringStream is(written(*group, fmt), fmt);
-        restored->read(dictionary(is));
-        restored->remove(1);
+        restored->read(is);
+        restored->remove(labelList({1}));
         restored->append(point(5, 1, 0), tensor::I, Zero, Zero, 20);
 
         restored->prepareResponse(5e-3);

@@ -2,8 +2,6 @@
 
 #include "contactOrder.H"
 #include <algorithm>
-#include <cstdint>
-#include <vector>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -46,37 +44,7 @@ struct visit
     }
 };
 
-
-//- An edge: its range in the sorted visits
-struct edgeOfPairs
-{
-    label first;
-    label end;
-    std::uint64_t priority;
-    label colour;
-};
-
 } // End anonymous namespace
-
-
-//- A number that looks random for each two ids (finaliser of splitmix64)
-static std::uint64_t hashOf(const label low, const label high)
-{
-    std::uint64_t x =
-        (std::uint64_t(std::uint32_t(low)) << 32) | std::uint32_t(high);
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30))*0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27))*0x94d049bb133111ebu;
-    return x ^ (x >> 31);
-}
-
-
-//- Id of an object, -1 for none
-static label idOf(const contactBodies& bodies, const label objecti)
-{
-    return objecti >= 0 ? bodies[objecti].id : -1;
-}
-
 
 //- A pair as a part of its edge
 static visit visitOf
@@ -124,74 +92,6 @@ static std::vector<visit> sortedVisits
 }
 
 
-//- The edges in the order of their priorities
-static std::vector<edgeOfPairs> edgesOf
-(
-    const std::vector<visit>& visits,
-    const contactBodies& bodies
-)
-{
-    std::vector<edgeOfPairs> edges;
-    for (label i = 0; i < label(visits.size()); ++i)
-    {
-        const visit& v = visits[i];
-        if (i == 0 || !v.sameEdge(visits[i - 1]))
-        {
-            edges.push_back
-            ({
-                i, i, hashOf(idOf(bodies, v.low), idOf(bodies, v.high)), 0
-            });
-        }
-        edges.back().end = i + 1;
-    }
-    std::sort
-    (
-        edges.begin(),
-        edges.end(),
-        [](const edgeOfPairs& a, const edgeOfPairs& b)
-        {
-            return a.priority > b.priority;
-        }
-    );
-    return edges;
-}
-
-
-//- Give each edge the first colour that is free at both objects
-static void setColours
-(
-    const std::vector<visit>& visits,
-    const label nObjects,
-    std::vector<edgeOfPairs>& edges
-)
-{
-    std::vector<std::vector<bool>> taken(nObjects);
-    const auto isFree = [&](const label objecti, const label colour)
-    {
-        return
-            objecti < 0
-         || colour >= label(taken[objecti].size())
-         || !taken[objecti][colour];
-    };
-    for (edgeOfPairs& edge : edges)
-    {
-        const visit& v = visits[edge.first];
-        while (!isFree(v.low, edge.colour) || !isFree(v.high, edge.colour))
-        {
-            ++edge.colour;
-        }
-        for (const label objecti : {v.low, v.high})
-        {
-            if (objecti >= 0)
-            {
-                const label n = taken[objecti].size();
-                taken[objecti].resize(max(n, edge.colour + 1), false);
-                taken[objecti][edge.colour] = true;
-            }
-        }
-    }
-}
-
 } // End namespace fsi
 } // End namespace Foam
 
@@ -202,38 +102,48 @@ void Foam::fsi::contactOrder::set
 (
     const surfaceSet& surfaces,
     const contactBodies& bodies,
-    const UList<contactPair>& pairs
+    const UList<contactPair>& pairs,
+    const contactExchange* exchange
 )
 {
     const std::vector<visit> visits(sortedVisits(surfaces, bodies, pairs));
-    std::vector<edgeOfPairs> edges(edgesOf(visits, bodies));
-    setColours(visits, bodies.size(), edges);
+    edges_.clear();
+    for (label i = 0; i < label(visits.size()); ++i)
+    {
+        if (i == 0 || !visits[i].sameEdge(visits[i - 1]))
+        {
+            edges_.push_back({i, i, visits[i].low, visits[i].high, 0});
+        }
+        edges_.back().end = i + 1;
+    }
+    const label nColours = setColours(bodies, exchange, edges_);
 
     // Edges of a colour in the order in which their objects are stored
-    std::sort
+    std::stable_sort
     (
-        edges.begin(),
-        edges.end(),
-        [](const edgeOfPairs& a, const edgeOfPairs& b)
-        {
-            return
-                a.colour != b.colour
-              ? a.colour < b.colour
-              : a.first < b.first;
-        }
+        edges_.begin(),
+        edges_.end(),
+        [](const edge& a, const edge& b) { return a.colour < b.colour; }
     );
     pairs_.clear();
     starts_.clear();
-    for (const edgeOfPairs& edge : edges)
+    for (edge& e : edges_)
     {
-        if (edge.colour == starts_.size())
+        while (starts_.size() <= e.colour)
         {
             starts_.append(pairs_.size());
         }
-        for (label i = edge.first; i < edge.end; ++i)
+        const label first = pairs_.size();
+        for (label i = e.first; i < e.end; ++i)
         {
             pairs_.append(visits[i].pairi);
         }
+        e.first = first;
+        e.end = pairs_.size();
+    }
+    while (starts_.size() <= nColours)
+    {
+        starts_.append(pairs_.size());
     }
 }
 

@@ -93,10 +93,11 @@ bool Foam::fsi::contactRanges::widen
 void Foam::fsi::contactRanges::update
 (
     const surfaceSet& surfaces,
-    UList<contactPair>& pairs
+    UList<contactPair>& pairs,
+    const contactExchange* exchange
 )
 {
-    if (ranges_.size() != surfaces.size() || full())
+    if (ranges_.size() != surfaces.size() || (full() && !exchange))
     {
         return;
     }
@@ -105,6 +106,10 @@ void Foam::fsi::contactRanges::update
     forAll(ranges_, objecti)
     {
         ranges_[objecti] = max(ranges_[objecti], max(nearest[objecti], least_));
+    }
+    if (exchange)
+    {
+        exchange->spread(ranges_);
     }
 
     for (contactPair& pair : pairs)

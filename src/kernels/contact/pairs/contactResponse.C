@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactResponse.H"
+#include "SubField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -205,9 +206,17 @@ void Foam::fsi::contactResponse::reset
     bodies_ = &bodies;
     pairs_ = pairs.cdata();
     velocities_ = velocities;
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (bodies.pushedElsewhere(objecti))
+        {
+            const label start = surfaces.pointStart()[objecti];
+            const label n = surfaces.pointStart()[objecti + 1] - start;
+            SubField<vector>(velocities_, n, start) = vector(Zero);
+        }
+    }
     amplitudes_.setSize(surfaces.size());
     amplitudes_ = modeValues(0.0);
-
     if (nodeShares_.size() < pairs.size())
     {
         nodeShares_.setSize(2*pairs.size());

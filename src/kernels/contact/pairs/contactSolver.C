@@ -29,7 +29,9 @@ Foam::scalar Foam::fsi::contactSolver::relax
     }
 
     const scalar u =
-        response_.normalVelocity(pairi) - compliance*impulses_[pairi];
+        response_.normalVelocity(pairi)
+      + (problem.exchange ? shared_.velocity(pairi) : 0)
+      - compliance*impulses_[pairi];
 
     // With the gap stretched by c an energy s w(c g)/c has the pressure w'
     const scalar c = pair.stretch;
@@ -47,6 +49,10 @@ Foam::scalar Foam::fsi::contactSolver::relax
     if (change != 0)
     {
         response_.addImpulse(pairi, change);
+        if (problem.exchange)
+        {
+            shared_.addImpulse(pairi, change);
+        }
         impulses_[pairi] = impulse;
     }
     return mag(change)*compliance*problem.dt;
@@ -61,6 +67,10 @@ Foam::scalar Foam::fsi::contactSolver::sweep
     const bool backward
 )
 {
+    if (problem.exchange)
+    {
+        return sharedSweep(problem, rule, all, backward);
+    }
     const labelUList& pairs = all ? order_.pairs() : active_;
     const label n = pairs.size();
     scalar change = 0;
@@ -70,6 +80,42 @@ Foam::scalar Foam::fsi::contactSolver::sweep
         change = max(change, relax(problem, rule, pairs[j]));
     }
     return change;
+}
+
+
+Foam::scalar Foam::fsi::contactSolver::sharedSweep
+(
+    const contactProblem& problem,
+    const contactRule& rule,
+    const bool all,
+    const bool backward
+)
+{
+    boolList visited(impulses_.size(), all);
+    for (label i = 0; i < active_.size() && !all; ++i)
+    {
+        visited[active_[i]] = true;
+    }
+    const label nColours = order_.nColours();
+    scalar change = 0;
+    for (label i = 0; i < nColours; ++i)
+    {
+        const label colour = backward ? nColours - 1 - i : i;
+        const label first = order_.starts()[colour];
+        const label n = order_.starts()[colour + 1] - first;
+        shared_.begin(colour, response_);
+        for (label k = 0; k < n; ++k)
+        {
+            const label pairi =
+                order_.pairs()[first + (backward ? n - 1 - k : k)];
+            if (visited[pairi] && !shared_.elsewhere(pairi))
+            {
+                change = max(change, relax(problem, rule, pairi));
+            }
+        }
+        shared_.end(colour, response_, impulses_);
+    }
+    return problem.exchange->largest(change);
 }
 
 
@@ -84,7 +130,17 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
         problem.bodies,
         problem.found.pairs
     );
-    order_.set(problem.surfaces, problem.bodies, problem.found.pairs);
+    order_.set
+    (
+        problem.surfaces,
+        problem.bodies,
+        problem.found.pairs,
+        problem.exchange
+    );
+    if (problem.exchange)
+    {
+        shared_.set(problem, order_);
+    }
     compliances_.setSize(nPairs);
     endGaps_.setSize(nPairs);
     endGaps_ = GREAT;
@@ -94,7 +150,9 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
     for (label i = 0; i < nPairs; ++i)
     {
         const contactPair& pair = problem.found.pairs[i];
-        compliances_[i] = response_.compliance(i);
+        compliances_[i] =
+            response_.compliance(i)
+          + (problem.exchange ? shared_.compliance(i) : 0);
         resistances_[i] = (1 - problem.ahead)*problem.film.resistance
         (
             problem.surfaces.pointObject()[pair.node], pair

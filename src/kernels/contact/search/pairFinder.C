@@ -39,7 +39,8 @@ void Foam::fsi::pairFinder::find
     search_->find(all, walls, medialAxis, range, found);
 
     // Originals find with other images all that images' nodes find. Between
-    // walls and objects that are moved as prescribed nothing can act
+    // walls and objects that are moved as prescribed nothing can act, and what
+    // acts between guests is the business of others
     label n = 0;
     for (const contactPair& pair : found.pairs)
     {
@@ -54,9 +55,13 @@ void Foam::fsi::pairFinder::find
             kept.other = all.original(pair.other);
             kept.face = all.originalFace(pair.face);
         }
+        const auto pushed = [&](const label objecti)
+        {
+            return !bodies[objecti].prescribed && !bodies[objecti].guest;
+        };
         n +=
-            !bodies[surfaces.pointObject()[kept.node]].prescribed
-         || (kept.other >= 0 && !bodies[kept.other].prescribed);
+            pushed(surfaces.pointObject()[kept.node])
+         || (kept.other >= 0 && pushed(kept.other));
     }
     found.pairs.resize(n);
 }

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Objects owned by ranks, in a box of 24 x 12 cells that these share along x
+
+#include "boxMesh.H"
+#include "openfoamVersion.H"
+#include "someObjects.H"
+#include "sumOverRanks.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::fsi;
+
+namespace
+{
+
+//- Discs of a shape of someObjects in a row, one step of 2 apart, of which each
+//  has an owner if there are several ranks
+struct discRow
+{
+    boxMesh box;
+    cartesianMesh grid;
+    autoPtr<population> objects;
+
+    explicit discRow(const scalar distance)
+    :
+        box(labelVector(24, 12, 1), 2),
+        grid(box.mesh()),
+        objects(someObjects::make(box.time()))
+    {
+        objects->remove(identityList(objects->size()));
+        for (label i = 0; i < 8; ++i)
+        {
+            objects->append
+            (
+                0, point(1.5 + 3*i, 6, 0), tensor::I, vector::zero, vector::zero
+            );
+        }
+        if (severalRanks())
+        {
+            objects->share(grid, distance);
+        }
+    }
+
+    //- Ids of all owned objects, sorted
+    labelList owned() const
+    {
+        DynamicList<label> ids;
+        for (label objecti = 0; objecti < objects->size(); ++objecti)
+        {
+            ids.append(objects->objectId(objecti));
+        }
+        labelList all;
+        for (const labelList& ofRank : gatherOverRanks(labelList(ids)))
+        {
+            all.append(ofRank);
+        }
+        sort(all);
+        return all;
+    }
+};
+
+} // End anonymous namespace
+
+
+TEST(objectRanks, eachObjectHasOneOwnerThatHoldsItsCentre)
+{
+    const discRow row(1);
+    const labelList ids(row.owned());
+    ASSERT_EQ(ids.size(), 8);
+    EXPECT_EQ(row.objects->nAll(), 8);
+    for (label i = 1; i < 8; ++i)
+    {
+        EXPECT_EQ(ids[i], ids[0] + i);
+    }
+    for (label objecti = 0; objecti < row.objects->size(); ++objecti)
+    {
+        const bodyGroup& group = row.objects->groups()[0];
+        EXPECT_GE(row.grid.findCell(group.centroid(objecti)), 0);
+    }
+    // On three ranks the first one does not know the last disc
+    EXPECT_EQ
+    (
+        row.objects->findObject(ids[7]) >= 0,
+        rankIn() == nRanksIn() - 1
+    );
+}
+
+
+TEST(objectRanks, collectsPartsAndSpreadsWhatIsComplete)
+{
+    const discRow row(4);
+    const population& objects = *row.objects;
+    const surfaceSet& surfaces = objects.surfaces();
+
+    // Each holder has a part of 1
+    vectorField nodal(surfaces.points().size(), vector(1, 0, 2));
+    scalarField holders(objects.nHeld(), 1);
+    objects.ranks().collect({objectRanks::values::ofObjects(holders)});
+    objects.ranks().collect({objectRanks::values::ofNodes(nodal)});
+    objects.ranks().spread
+    ({
+        objectRanks::values::ofNodes(nodal),
+        objectRanks::values::ofObjects(holders)
+    });
+    scalar most = 0;
+    forAll(nodal, nodei)
+    {
+        const scalar n = holders[surfaces.pointObject()[nodei]];
+        EXPECT_EQ(nodal[nodei], n*vector(1, 0, 2));
+        most = max(most, n);
+    }
+    EXPECT_EQ(overRanks(most, maxOp<scalar>()) > 1, severalRanks());
+}
+
+
+TEST(objectRanks, objectsGoToOtherRanksWithTheirStateAndForces)
+{
+    discRow row(1);
+    population& objects = *row.objects;
+    const labelList ids(row.owned());
+    for (label step = 0; step < 12; ++step)
+    {
+        vectorField force(objects.layout().nSurface(), Zero);
+        bodyGroup& group = objects.groups()[0];
+        for (label copyi = 0; copyi < group.size(); ++copyi)
+        {
+            const scalar id = group.objectIds()[copyi];
+            group.positions().col(2*copyi).array() += id == ids[0] ? 1.5 : 0;
+            group.contactRange(copyi) = id + 0.5;
+            const label start = objects.surfaces().pointStart()[copyi];
+            const label end = objects.surfaces().pointStart()[copyi + 1];
+            for (label i = start; i < end; ++i)
+            {
+                force[i] = vector(id, i - start, 0);
+            }
+        }
+        objects.updateSurfaces();
+        objects.migrate({&force});
+        ASSERT_EQ(row.owned(), ids);
+        for (label objecti = 0; objecti < objects.size(); ++objecti)
+        {
+            const label id = objects.objectId(objecti);
+            const label start = objects.surfaces().pointStart()[objecti];
+            EXPECT_EQ(objects.findObject(id), objecti);
+            EXPECT_EQ(objects.groups()[0].contactRange(objecti), id + 0.5);
+            EXPECT_EQ(force[start + 1], vector(id, 1, 0));
+            EXPECT_GE
+            (
+                row.grid.findCell(objects.groups()[0].centroid(objecti)), 0
+            );
+        }
+    }
+
+    // All of them are one population again
+    autoPtr<population> storage;
+    const population& all = objects.whole(storage);
+    ASSERT_EQ(all.size(), 8);
+    for (label i = 0; i < 8; ++i)
+    {
+        EXPECT_EQ(all.objectId(i), ids[i]);
+        EXPECT_NEAR
+        (
+            all.groups()[0].centroid(i).x(),
+            1.5 + (i == 0 ? 18 : 3*i),
+            0.2
+        );
+    }
+}
+
+
+// ************************************************************************* //
