@@ -25,10 +25,10 @@ Description
         maxDiffusion   | largest dt nu d/h^2; 0: none          | 0
     \endtable
 
-    Of system/fvSchemes the scheme of div(phi,U) counts, Gauss with any
-    interpolation, and that of ddt(U), Euler or backward (timeRule.H).
-    Laplacians and gradients are differences between neighbours, as any scheme
-    has them on such a mesh, with the open parts of faces at objects.
+    Of system/fvSchemes two schemes are used: div(phi,U), Gauss with any
+    interpolation, and ddt(U), Euler or backward (timeRule.H). Laplacians and
+    gradients are differences between neighbours, as with any scheme on such a
+    mesh, with the open parts of faces at objects.
 
     Of system/fvSolution the dictionaries of p and U are read. With the default
     coupling solidImplicit only their tolerance, relTol and maxIter count, and

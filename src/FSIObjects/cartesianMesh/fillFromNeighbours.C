@@ -12,9 +12,9 @@ namespace
 
 using namespace Foam;
 
-//- Weighted mean of a cell's neighbours that are known; false if there is
-//  none. coupledKnown, coupledValues: of the cells across coupled faces, from
-//  the first boundary face.
+//- Compute the weighted mean of a cell's known neighbours; return false if
+//  there is none. coupledKnown, coupledValues: known and values of the cells
+//  across coupled faces, from the first boundary face.
 bool meanOfKnown
 (
     const polyMesh& mesh,

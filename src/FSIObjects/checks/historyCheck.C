@@ -11,7 +11,8 @@ namespace Foam
 namespace fsi
 {
 
-//- Index of the largest value, or of one that is no number; -1 of none
+//- Index of the largest value, or of a value that is not a number; -1 if there
+//  are no values
 static label worst(const scalarField& values)
 {
     label worsti = -1;

@@ -32,7 +32,7 @@ static DynamicList<string> split(const std::string& line)
 }
 
 
-//- Is the text a number or infinite; nan is not
+//- Is the text a number or infinity? (nan is neither)
 static bool isNumber(const string& text, scalar& value)
 {
     // As strtod, knows inf and nan
