@@ -109,7 +109,7 @@ static scalar shearEnergy
 }
 
 
-//- Both
+//- Energy of the volume terms and of shear, and their forces
 template<int nDims>
 static scalar addEnergy
 (

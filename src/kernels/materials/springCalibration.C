@@ -146,7 +146,7 @@ static void calibratePlanar
 }
 
 
-//- 3D: the same, for some iterations or until E is shown within a part of it
+//- 3D: correct the constants [N/m] until E is shown within the tolerance
 static void calibrateSpatial
 (
     const shapeMesh& mesh,
