@@ -225,7 +225,7 @@ TEST(state, meanLoadFollowsItsCopy)
     {
         auto restored = groupOf(*shape);
         IStringStream is(written(*group, fmt), fmt);
-        restored->read(is);
+        restored->read(dictionary(is));
         restored->remove(labelList({1}));
         restored->append(point(5, 1, 0), tensor::I, Zero, Zero, 20);
 
