@@ -13,6 +13,8 @@ objects have left.
 import filecmp
 import math
 import os
+import re
+import struct
 import sys
 
 import fsiCase
@@ -123,8 +125,12 @@ def compare_capillaries(report, folder):
     """All files of the last state, of cells that have crossed the seam."""
     whole = capillary(folder, "capillary", (0.01,))
     parts = capillary(folder, "capillaryInParts", (0.005, 0.01))
-    periods = results.numbers(
-        results.read(whole, "uniform/fsiObjects/redCell"), "periods")
+    with open(os.path.join(whole, "uniform/fsiObjects/redCell"),
+              "rb") as stream:
+        content = stream.read()
+    match = re.search(rb"\nperiods\s+List<scalar>\s+(\d+)\s*\(", content)
+    periods = struct.unpack_from(f"{int(match.group(1))}d", content,
+                                 match.end())
     report.check("cells that crossed the seam did so once",
                  set(periods[::3]) == {0, 1} and not any(
                      periods[1::3] + periods[2::3]), periods)
