@@ -72,11 +72,17 @@ Foam::labelList Foam::fsi::population::append
 )
 {
     labelList ids(groups.size());
+    const labelList owners
+    (
+        ranks_.shared()
+      ? labelList(groups.size(), rankIn())
+      : cells_.ranksAt(centres)
+    );
     List<DynamicList<label>> mine(groups_.size());
     forAll(groups, i)
     {
         ids[i] = nextObjectId_++;
-        if (ranks_.shared() || cells_.rankAt(centres[i]) == rankIn())
+        if (owners[i] == rankIn())
         {
             mine[groups[i]].append(i);
         }
