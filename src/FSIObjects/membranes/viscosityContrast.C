@@ -8,30 +8,6 @@
 #include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- A field that is not written
-static IOobject notWritten(const fvMesh& mesh, const word& name)
-{
-    return IOobject
-    (
-        name,
-        nameOf(mesh.time()),
-        mesh,
-        IOobject::NO_READ,
-        IOobject::NO_WRITE
-    );
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::viscosityContrast::viscosityContrast
@@ -46,14 +22,24 @@ Foam::fsi::viscosityContrast::viscosityContrast
     fluid_(fluid),
     more_
     (
-        notWritten(geometry.grid().mesh(), "moreViscosity"),
+        IOobject
+        (
+            "moreViscosity",
+            nameOf(geometry.grid().mesh().time()),
+            geometry.grid().mesh()
+        ),
         geometry.grid().mesh(),
         dimensionedScalar(dimVelocity*dimLength, Zero),
         zeroGradientFvPatchScalarField::typeName
     ),
     moreAtFaces_
     (
-        notWritten(geometry.grid().mesh(), "moreViscosityAtFaces"),
+        IOobject
+        (
+            "moreViscosityAtFaces",
+            nameOf(geometry.grid().mesh().time()),
+            geometry.grid().mesh()
+        ),
         geometry.grid().mesh(),
         dimensionedScalar(dimVelocity*dimLength, Zero)
     )
@@ -185,20 +171,19 @@ void Foam::fsi::viscosityContrast::add(fvVectorMatrix& UEqn) const
     }
 
     const tmp<volTensorField> tgradU(fvc::grad(UEqn.psi()));
-    const tmp<volVectorField> tforce
+    const surfaceVectorField stress
     (
-        fvc::surfaceIntegrate
-        (
-            moreAtFaces_*(fvc::interpolate(tgradU()) & mesh.Sf())
-        )
+        moreAtFaces_*(fvc::interpolate(tgradU()) & mesh.Sf())
     );
+    vectorField force(mesh.nCells(), Zero);
+    fvc::surfaceIntegrate(force, stress);
     const boolList& inFluid = geometry_.fluidCell();
     vectorField& source = UEqn.source();
     forAll(source, celli)
     {
         if (inFluid[celli])
         {
-            source[celli] += mesh.V()[celli]*tforce()[celli];
+            source[celli] += mesh.V()[celli]*force[celli];
         }
     }
 }
@@ -215,7 +200,7 @@ void Foam::fsi::viscosityContrast::correctPressure
     const volScalarField change("pressureChange", p - last);
     surfaceScalarField flux
     (
-        notWritten(p.mesh(), "changeFlux"),
+        IOobject("changeFlux", nameOf(p.mesh().time()), p.mesh()),
         p.mesh(),
         dimensionedScalar(dimVelocity*dimArea, Zero)
     );
