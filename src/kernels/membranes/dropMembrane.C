@@ -2,7 +2,6 @@
 
 #include "dropMembrane.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
 #include "triangleForces.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -66,16 +65,8 @@ static void addDropForces
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::dropMembrane::dropMembrane(const dictionary& dict)
-{
-    readPositive(dict, "tension");
-    if (dict.found("areaModulus"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'areaModulus' in dictionary " << dict.name()
-            << " has no meaning for the law drop" << exit(FatalIOError);
-    }
-}
+Foam::fsi::dropMembrane::dropMembrane(const dictionary&)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

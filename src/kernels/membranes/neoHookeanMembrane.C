@@ -2,7 +2,6 @@
 
 #include "neoHookeanMembrane.H"
 #include "addToRunTimeSelectionTable.H"
-#include "dictionaryCheck.H"
 #include "triangleForces.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -67,16 +66,8 @@ static void addNeoHookeanForces
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::neoHookeanMembrane::neoHookeanMembrane(const dictionary& dict)
-{
-    if (dict.found("areaModulus"))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'areaModulus' in dictionary " << dict.name()
-            << " has no meaning for the law neoHookean, whose modulus of area"
-            << " is 3 times the shear modulus" << exit(FatalIOError);
-    }
-}
+Foam::fsi::neoHookeanMembrane::neoHookeanMembrane(const dictionary&)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

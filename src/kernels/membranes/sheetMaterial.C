@@ -8,7 +8,7 @@
 Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
 :
     law(membraneLaw::New(dict)),
-    shearModulus(readPositive(dict, law->modulusName())),
+    shearModulus(readPositive(dict, law->moduli().first())),
     bendingModulus(readNonNegative(dict, "bendingModulus", 0)),
     flat
     (
@@ -19,14 +19,13 @@ Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
         dict.found("innerViscosity") ? readPositive(dict, "innerViscosity") : 0
     )
 {
-    checkKeys
-    (
-        dict,
-        {
-            "type", "density", "law", law->modulusName(), "areaModulus",
-            "bendingModulus", "restCurvature", "innerViscosity"
-        }
-    );
+    wordList known
+    ({
+        "type", "density", "law", "bendingModulus", "restCurvature",
+        "innerViscosity"
+    });
+    known.append(law->moduli());
+    checkKeys(dict, known);
 }
 
 
