@@ -60,10 +60,11 @@ void Foam::fsi::checkFeedVelocity
     const autoPtr<bodyMotion> prescribed(bodyMotion::New(motion));
     if (prescribed.valid())
     {
-        const vector given
+        const Eigen::Vector3d shift
         (
             prescribed->shift(start, start + dt, grid.mesh().nGeometricD())
         );
+        const vector given(shift.x(), shift.y(), shift.z());
         if (mag(given/dt - velocity) > 1e-6*mag(velocity))
         {
             refused(dict, velocity)

@@ -94,16 +94,7 @@ Foam::fsi::fsiObjects::groupNodal Foam::fsi::fsiObjects::forces
                 group.shape().density(), gravity_, driving_->acceleration()
             )
         );
-        Eigen::MatrixXd& f = force[groupi];
-        for (Eigen::Index column = 0; column < f.cols(); ++column)
-        {
-            const scalar ai = a[direction(column % grid_.nDims())];
-            for (Eigen::Index nodei = 0; nodei < f.rows(); ++nodei)
-            {
-                f(nodei, column) += group.shape().nodeMasses()[nodei]*ai;
-            }
-        }
-        loads_.add(mesh_.time().value(), groupi, group, f);
+        loads_.add(mesh_.time().value(), groupi, group, a, force[groupi]);
         group.prepareResponse(step.tau);
     }
     const stepTimer::section contact(timer_, stepTimer::part::contact);

@@ -2,6 +2,7 @@
 
 #include "givenLoads.H"
 #include "openfoamFunction.H"
+#include "rigidTurn.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -30,15 +31,8 @@ static void addTorque
         axis = Eigen::Vector3d(torque.x(), torque.y(), torque.z());
     }
     const Eigen::Matrix3d S(r.transpose()*masses.asDiagonal()*r);
-    const Eigen::Vector3d alpha
-    (
-        (S.trace()*Eigen::Matrix3d::Identity() - S).ldlt().solve(axis)
-    );
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
-    {
-        const Eigen::Vector3d arm(r.row(i).transpose());
-        force.row(i) += masses[i]*alpha.cross(arm).head(nDims).transpose();
-    }
+    const Eigen::Matrix3d cross(crossMatrix(angularVelocityOf(S, axis)));
+    force += masses.asDiagonal()*(r*cross.transpose()).leftCols(nDims);
 }
 
 } // End namespace fsi
@@ -78,6 +72,7 @@ void Foam::fsi::givenLoads::add
     const scalar time,
     const label groupi,
     const bodyGroup& group,
+    const vector& acceleration,
     Eigen::MatrixXd& force
 ) const
 {
@@ -86,13 +81,14 @@ void Foam::fsi::givenLoads::add
         group.shape().nodeMasses().cdata(), group.shape().nNodes()
     );
     const label nDims = group.shape().nDims();
+    vector a(acceleration);
     if (forces_.set(groupi))
     {
-        const vector a(forces_[groupi].value(time)/group.shape().mass());
-        for (Eigen::Index column = 0; column < force.cols(); ++column)
-        {
-            force.col(column) += masses*a[direction(column % nDims)];
-        }
+        a += forces_[groupi].value(time)/group.shape().mass();
+    }
+    for (Eigen::Index column = 0; column < force.cols(); ++column)
+    {
+        force.col(column) += masses*a[direction(column % nDims)];
     }
     for (label copyi = 0; torques_.set(groupi) && copyi < group.size(); ++copyi)
     {

@@ -27,26 +27,25 @@ void Foam::fsi::prescribedBodies::displacement
 ) const
 {
     const label nDims = shape().nDims();
-    const vector shift(motion_->shift(time, time + dt, nDims));
-    const tensor turn(motion_->turn(time, time + dt, nDims));
+    const Eigen::VectorXd shift
+    (
+        motion_->shift(time, time + dt, nDims).head(nDims)
+    );
+    const Eigen::MatrixXd turn
+    (
+        motion_->turn(time, time + dt, nDims).topLeftCorner(nDims, nDims)
+    );
     d.resize(positions().rows(), positions().cols());
     for (label copyi = 0; copyi < size(); ++copyi)
     {
-        const auto x = ofCopy(positions(), copyi);
         const point centre(centroid(copyi));
-        for (label nodei = 0; nodei < x.rows(); ++nodei)
+        Eigen::MatrixXd arms(ofCopy(positions(), copyi));
+        for (label i = 0; i < nDims; ++i)
         {
-            vector arm(Zero);
-            for (label i = 0; i < nDims; ++i)
-            {
-                arm[i] = x(nodei, i) - centre[i];
-            }
-            const vector move(shift + (turn & arm));
-            for (label i = 0; i < nDims; ++i)
-            {
-                d(nodei, nDims*copyi + i) = move[i];
-            }
+            arms.col(i).array() -= centre[i];
         }
+        d.middleCols(nDims*copyi, nDims) =
+            (arms*turn.transpose()).rowwise() + shift.transpose();
     }
 }
 

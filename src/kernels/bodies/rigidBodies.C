@@ -34,18 +34,6 @@ Eigen::Matrix3d Foam::fsi::rigidBodies::moments
 }
 
 
-Eigen::Vector3d Foam::fsi::rigidBodies::angularVelocityOf
-(
-    const Eigen::Vector3d& momentum,
-    const Eigen::MatrixXd& arms
-) const
-{
-    const Eigen::Matrix3d S(moments(arms, arms));
-    return
-        (S.trace()*Eigen::Matrix3d::Identity() - S).llt().solve(momentum);
-}
-
-
 Eigen::MatrixXd Foam::fsi::rigidBodies::rigidField
 (
     const Eigen::RowVectorXd& mean,
@@ -56,7 +44,7 @@ Eigen::MatrixXd Foam::fsi::rigidBodies::rigidField
     // omega x r, row by row
     const Eigen::Matrix3d cross
     (
-        crossMatrix(angularVelocityOf(momentum, arms))
+        crossMatrix(angularVelocityOf(moments(arms, arms), momentum))
     );
     const label nDims = shape().nDims();
     Eigen::MatrixXd v(arms*cross.topLeftCorner(nDims, nDims).transpose());
@@ -135,10 +123,11 @@ void Foam::fsi::rigidBodies::begin
         (
             axialVector(moments(before, ofCopy(lastVelocities(), copyi)))
         );
-        const Eigen::Vector3d omega(angularVelocityOf(L, r));
+        const Eigen::Vector3d omega(angularVelocityOf(moments(r, r), L));
         const Eigen::Vector3d change
         (
-            ratio*(omega - angularVelocityOf(lastL, before))
+            ratio
+           *(omega - angularVelocityOf(moments(before, before), lastL))
         );
         const Eigen::Matrix3d turn
         (

@@ -5,6 +5,7 @@
 #include "openfoamFunction.H"
 #include "openfoamVersion.H"
 #include "readBetween.H"
+#include "rigidTurn.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -20,21 +21,9 @@ namespace fsi
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Rotation matrix of a rotation vector, less the unit matrix
-static Foam::tensor turnOf(const Foam::vector& v)
+static Eigen::Vector3d toEigen(const Foam::vector& v)
 {
-    using namespace Foam;
-    const scalar angle = mag(v);
-    const vector axis(v/max(angle, VSMALL));
-    const tensor across
-    (
-        0, -axis.z(), axis.y(),
-        axis.z(), 0, -axis.x(),
-        -axis.y(), axis.x(), 0
-    );
-    return
-        std::sin(angle)*across
-      + 2*sqr(std::sin(0.5*angle))*(across & across);
+    return Eigen::Vector3d(v.x(), v.y(), v.z());
 }
 
 
@@ -112,22 +101,23 @@ void Foam::fsi::bodyMotion::place
 }
 
 
-Foam::vector Foam::fsi::bodyMotion::shift
+Eigen::Vector3d Foam::fsi::bodyMotion::shift
 (
     const scalar from,
     const scalar to,
     const label nDims
 ) const
 {
-    vector start, end, turn;
-    place(from, start, turn);
-    place(to, end, turn);
-    const vector arm(pivot_ + (this->turn(0, from, nDims) & pivot_));
-    return end - start - (this->turn(from, to, nDims) & arm);
+    vector start, end, rotation;
+    place(from, start, rotation);
+    place(to, end, rotation);
+    const Eigen::Vector3d pivot(toEigen(pivot_));
+    const Eigen::Vector3d arm(pivot + turn(0, from, nDims)*pivot);
+    return toEigen(end - start) - turn(from, to, nDims)*arm;
 }
 
 
-Foam::tensor Foam::fsi::bodyMotion::turn
+Eigen::Matrix3d Foam::fsi::bodyMotion::turn
 (
     const scalar from,
     const scalar to,
@@ -144,10 +134,11 @@ Foam::tensor Foam::fsi::bodyMotion::turn
     if (mag(start ^ end) <= SMALL*mag(start)*mag(end))
     {
         // About one axis, exact for small angles too
-        return turnOf(end - start);
+        return exponentialLess1(toEigen(end - start));
     }
-    const tensor first(turnOf(start)), last(turnOf(end));
-    return ((last - first) & (tensor::I + first).T());
+    const Eigen::Matrix3d first(exponentialLess1(toEigen(start)));
+    const Eigen::Matrix3d change(exponentialLess1(toEigen(end)) - first);
+    return change*(Eigen::Matrix3d::Identity() + first).transpose();
 }
 
 

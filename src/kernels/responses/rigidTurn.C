@@ -43,6 +43,17 @@ Eigen::Vector3d Foam::fsi::axialVector(const Eigen::Matrix3d& S)
 }
 
 
+Eigen::Vector3d Foam::fsi::angularVelocityOf
+(
+    const Eigen::Matrix3d& S,
+    const Eigen::Vector3d& momentum
+)
+{
+    return
+        (S.trace()*Eigen::Matrix3d::Identity() - S).llt().solve(momentum);
+}
+
+
 Eigen::Matrix3d Foam::fsi::exponentialLess1(const Eigen::Vector3d& w)
 {
     const double angle = w.norm();
