@@ -21,16 +21,14 @@ Foam::fsi::multigridHierarchy::controls Foam::fsi::cartesianMultigrid::read
             << exit(FatalIOError);
     }
     result.wCycle = cycle == "W";
-    result.wFrom =
-        controls.lookupOrDefault<label>("wCycleFrom", result.wFrom);
     result.gatherCells =
         controls.lookupOrDefault<label>("gatherCells", result.gatherCells);
-    if (result.wFrom < 0 || result.gatherCells < 1)
+    if (result.gatherCells < 1)
     {
         FatalIOErrorInFunction(controls)
-            << "Entries 'wCycleFrom' " << result.wFrom << " and 'gatherCells' "
-            << result.gatherCells << " in dictionary " << controls.name()
-            << " must be >= 0 and >= 1" << exit(FatalIOError);
+            << "Entry 'gatherCells' " << result.gatherCells
+            << " in dictionary " << controls.name() << " must be >= 1"
+            << exit(FatalIOError);
     }
     return result;
 }

@@ -169,7 +169,7 @@ void Foam::fsi::multigridHierarchy::solve(const label leveli)
     else
     {
         cycle(leveli, true);
-        if (controls_.wCycle && leveli >= controls_.wFrom)
+        if (controls_.wCycle && leveli > 0)
         {
             cycle(leveli, false);
         }

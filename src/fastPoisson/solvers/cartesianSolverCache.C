@@ -63,7 +63,6 @@ Foam::fsi::cartesianSolverCache::multigrid
     (
         solver.fieldName()
       + '_' + controls.lookupOrDefault<word>("cycle", "W")
-      + '_' + Foam::name(controls.lookupOrDefault<label>("wCycleFrom", -1))
       + '_' + Foam::name(controls.lookupOrDefault<label>("gatherCells", -1))
     );
     const auto& cache = cartesianSolverCache::New(mesh);
