@@ -3,11 +3,11 @@
 """Weak scaling: each rank has 256^2 cells with 100 discs on 40 % of them, or
 48^3 cells with 12 spheres, on more and more ranks.
 
-    weakScaling.py FOLDER RESULTS LIBRARY [-ranks N] [-steps N]
+    weakScaling.py FOLDER RESULTS [-ranks N] [-steps N]
 
 The machine may have fewer cores than ranks: what counts is processor time
-outside of MPI, memory, messages and bytes of each rank and step, which
-LIBRARY counts (countMessages.C). All sides are periodic, so that a rank has
+outside of MPI, memory, messages and bytes of each rank and step, see
+countMessages.py. All sides are periodic, so that a rank has
 the same neighbours however many there are. FOLDER holds the cases; the tables
 ranks2D.csv and ranks3D.csv go to RESULTS.
 """
@@ -19,8 +19,8 @@ import os
 import re
 import shutil
 import statistics
-import subprocess
 
+import countMessages
 import fsiCase
 import results
 
@@ -84,31 +84,6 @@ def build(path, parts, steps):
     return case.set_up()
 
 
-def counted(case, ranks, library):
-    """Runs a case; the rows of all steps of each rank."""
-    folder = os.path.join(case.path, "counts")
-    os.makedirs(folder)
-    names = {"LD_PRELOAD": library, "FSI_COUNTS": folder}
-    command = ["fsiPisoFoam", "-case", case.path]
-    if ranks == 1:
-        command = ["env", *(f"{k}={v}" for k, v in names.items()), *command]
-    else:
-        command = (["mpirun", "--oversubscribe", "-np", str(ranks)]
-                   + [word for k, v in names.items()
-                      for word in ("-x", f"{k}={v}")]
-                   + command + ["-parallel"])
-    with open(os.path.join(case.path, "log.fsiPisoFoam"), "w",
-              encoding="utf-8") as log:
-        subprocess.run(command, stdout=log, stderr=log, check=True)
-    rows = []
-    for rank in range(ranks):
-        with open(os.path.join(folder, f"{rank}.csv"),
-                  encoding="ascii") as stream:
-            rows.append([{k: float(v) for k, v in row.items()}
-                         for row in csv.DictReader(stream)])
-    return rows
-
-
 def measured(parts, rows, iterations):
     """A row of the table: means over ranks of medians over steps, and the
     largest rank."""
@@ -141,7 +116,8 @@ def table(n_dims, options):
         case = build(path, parts, options.steps)
         if ranks > 1:
             case.decompose(*parts)
-        counts = counted(case, ranks, os.path.abspath(options.library))
+        counts = countMessages.counted(
+            case, ranks, countMessages.library(options.folder))
         iterations = statistics.median(
             int(n) for n in re.findall(
                 r"(?m)^Time = .* p (\d+)",
@@ -159,7 +135,7 @@ def table(n_dims, options):
 def main():
     """Reads the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
-    for name in ("folder", "results", "library"):
+    for name in ("folder", "results"):
         parser.add_argument(name)
     parser.add_argument("-ranks", type=int, default=16)
     parser.add_argument("-steps", type=int, default=10)
@@ -177,4 +153,5 @@ def main():
         print(f"{path}: {len(rows)} rows", flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -11,15 +11,14 @@ Description
     Loaded before all others (LD_PRELOAD), it stands between the program and
     MPI, whose functions can be reached by a second name (PMPI_...), and
     between the solver and Foam::Time::operator++, where a step begins. A rank
-    writes the file $FSI_COUNTS/<rank>.csv when it ends. See weakScaling.py.
+    writes the file $FSI_COUNTS/<rank>.csv when it ends. See countMessages.py.
+
+    MPI is Open MPI, whose headers are not needed.
 
 \*---------------------------------------------------------------------------*/
 
-// Not the old classes of C++
-#define OMPI_SKIP_MPICXX
-#include <mpi.h>
-
 #include "messageCounts.H"
+#include "openMPI.H"
 
 #include <dlfcn.h>
 
