@@ -190,16 +190,21 @@ void Foam::fsi::heldObjects::updateSurfaces()
     {
         values[groupi] = groups()[groupi].velocities();
     }
-    layout_.toSurface(values, surfaces_.velocities());
+    layout_.toSurface(values, surfaces_.velocities(), false);
     forAll(groups(), groupi)
     {
         values[groupi] = groups()[groupi].positions();
     }
-    layout_.toSurface(values, surfaces_.points());
+    layout_.toSurface(values, surfaces_.points(), false);
     if (nDims_ == 2)
     {
         surfaces_.points().replace(vector::Z, planeZ_);
     }
+    ranks_.spread
+    ({
+        objectRanks::values::ofNodes(surfaces_.velocities()),
+        objectRanks::values::ofNodes(surfaces_.points())
+    });
 }
 
 

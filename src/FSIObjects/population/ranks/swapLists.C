@@ -36,34 +36,18 @@ Foam::scalarList Foam::fsi::exchangeLists
 Foam::List<Foam::scalarList> Foam::fsi::swapLists
 (
     const UList<DynamicList<scalar>>& sent,
-    const boolList& partner
+    const labelUList& receivedSizes
 )
 {
-    // Each tells how much comes, then sends it
-    const label n = partner.size();
-    labelList one(n), sentSizes(n), receivedSizes(n, Zero);
-    DynamicList<scalar> counts, packed;
-    for (label ranki = 0; ranki < n; ++ranki)
+    labelList sentSizes(sent.size());
+    DynamicList<scalar> packed;
+    forAll(sent, ranki)
     {
-        one[ranki] = partner[ranki];
         sentSizes[ranki] = sent[ranki].size();
         packed.append(sent[ranki]);
-        if (partner[ranki])
-        {
-            counts.append(sentSizes[ranki]);
-        }
-    }
-    const scalarList theirs(exchangeLists(counts, one, one));
-    label next = 0;
-    for (label ranki = 0; ranki < n; ++ranki)
-    {
-        if (partner[ranki])
-        {
-            receivedSizes[ranki] = label(theirs[next++]);
-        }
     }
     const scalarList all(exchangeLists(packed, sentSizes, receivedSizes));
-    List<scalarList> received(n);
+    List<scalarList> received(sent.size());
     label start = 0;
     forAll(received, ranki)
     {
@@ -71,6 +55,35 @@ Foam::List<Foam::scalarList> Foam::fsi::swapLists
         start += receivedSizes[ranki];
     }
     return received;
+}
+
+
+Foam::List<Foam::scalarList> Foam::fsi::swapLists
+(
+    const UList<DynamicList<scalar>>& sent,
+    const boolList& partner
+)
+{
+    // Each tells how much comes, then sends it
+    List<DynamicList<scalar>> counts(sent.size());
+    labelList sizes(sent.size(), Zero);
+    forAll(sent, ranki)
+    {
+        if (partner[ranki])
+        {
+            counts[ranki].append(sent[ranki].size());
+            sizes[ranki] = 1;
+        }
+    }
+    const List<scalarList> theirs(swapLists(counts, sizes));
+    forAll(sizes, ranki)
+    {
+        if (partner[ranki])
+        {
+            sizes[ranki] = label(theirs[ranki][0]);
+        }
+    }
+    return swapLists(sent, sizes);
 }
 
 

@@ -97,6 +97,8 @@ void Foam::fsi::sharedEdges::setResponses(const contactProblem& problem)
             }
         }
     }
+
+    // Messages of the same pairs follow, whose sizes are not told any more
     const List<scalarList> received(exchange_->swap(sent));
     labelList next(received.size(), Zero);
     for (edge& e : edges_)
@@ -118,6 +120,47 @@ void Foam::fsi::sharedEdges::setResponses(const contactProblem& problem)
             next[e.rank] += n*n;
         }
     }
+}
+
+
+template<class Number, class Take>
+void Foam::fsi::sharedEdges::exchange
+(
+    const label colour,
+    const bool solved,
+    const Number& number,
+    const Take& take
+)
+{
+    List<DynamicList<scalar>> sent(exchange_->nRanks());
+    labelList sizes(sent.size(), Zero);
+    const auto forPairs = [&](const bool ofSolved, const auto& action)
+    {
+        for (const edge& e : edges_)
+        {
+            if (e.colour == colour && e.solved == ofSolved)
+            {
+                for (const label pairi : e.pairs)
+                {
+                    action(e.rank, pairi);
+                }
+            }
+        }
+    };
+    forPairs(solved, [&](const label ranki, const label pairi)
+    {
+        sent[ranki].append(number(pairi));
+    });
+    forPairs(!solved, [&](const label ranki, const label)
+    {
+        ++sizes[ranki];
+    });
+    const List<scalarList> received(exchange_->swap(sent, sizes));
+    labelList next(received.size(), Zero);
+    forPairs(!solved, [&](const label ranki, const label pairi)
+    {
+        take(pairi, received[ranki][next[ranki]++]);
+    });
 }
 
 
@@ -172,30 +215,17 @@ void Foam::fsi::sharedEdges::begin
     const contactResponse& response
 )
 {
-    List<DynamicList<scalar>> sent(exchange_->nRanks());
-    for (const edge& e : edges_)
-    {
-        for (const label pairi : e.pairs)
+    exchange
+    (
+        colour,
+        false,
+        [&](const label pairi) { return response.normalVelocity(pairi); },
+        [&](const label pairi, const scalar velocity)
         {
-            if (e.colour == colour && !e.solved)
-            {
-                sent[e.rank].append(response.normalVelocity(pairi));
-            }
+            velocities_[pairi] = velocity;
+            changes_[pairi] = 0;
         }
-    }
-    const List<scalarList> received(exchange_->swap(sent));
-    labelList next(received.size(), Zero);
-    for (const edge& e : edges_)
-    {
-        for (const label pairi : e.pairs)
-        {
-            if (e.colour == colour && e.solved)
-            {
-                velocities_[pairi] = received[e.rank][next[e.rank]++];
-                changes_[pairi] = 0;
-            }
-        }
-    }
+    );
 }
 
 
@@ -206,31 +236,17 @@ void Foam::fsi::sharedEdges::end
     scalarField& impulses
 )
 {
-    List<DynamicList<scalar>> sent(exchange_->nRanks());
-    for (const edge& e : edges_)
-    {
-        for (const label pairi : e.pairs)
+    exchange
+    (
+        colour,
+        true,
+        [&](const label pairi) { return changes_[pairi]; },
+        [&](const label pairi, const scalar change)
         {
-            if (e.colour == colour && e.solved)
-            {
-                sent[e.rank].append(changes_[pairi]);
-            }
+            response.addImpulse(pairi, change);
+            impulses[pairi] += change;
         }
-    }
-    const List<scalarList> received(exchange_->swap(sent));
-    labelList next(received.size(), Zero);
-    for (const edge& e : edges_)
-    {
-        for (const label pairi : e.pairs)
-        {
-            if (e.colour == colour && !e.solved)
-            {
-                const scalar change = received[e.rank][next[e.rank]++];
-                response.addImpulse(pairi, change);
-                impulses[pairi] += change;
-            }
-        }
-    }
+    );
 }
 
 
