@@ -48,7 +48,7 @@ LAWS = {
                    "thesis, `stiffness` rho_s U^2 = 225 Pa at 0.15 m/s"),
     "preset": (PRESET, "all of the thesis's choices"),
     "presetElastic": (
-        PRESET + "contact { search { type surfaceCells; } "
+        PRESET + "contact { search { type surfaceTree; } "
         "law { type elastic; } }\n",
         "all of the thesis's choices but contact"),
     "defaultHeavy": ("", "discs 10 times as heavy and stiff: default"),

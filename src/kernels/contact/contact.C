@@ -53,7 +53,7 @@ Foam::fsi::contact::contact
         readScalarBetween(dict, "minimumGap", 0.1, 1e-6, 20)*spacing
     ),
     images_(images),
-    finder_(dict.subOrEmptyDict("search"), nDims, images_),
+    finder_(dict.subOrEmptyDict("search"), images_),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
     film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
     defence_(minimumGap_, margin_, nDims, images_),

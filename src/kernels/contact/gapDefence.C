@@ -52,7 +52,7 @@ Foam::fsi::gapDefence::gapDefence
 :
     minimumGap_(minimumGap),
     margin_(margin),
-    finder_(dictionary(), nDims, images),
+    finder_(dictionary(), images),
     limiter_(dictionary()),
     moved_(nDims)
 {}

@@ -39,7 +39,7 @@ Foam::fsi::medialAxisSearch::medialAxisSearch(const dictionary& dict)
         FatalIOErrorInFunction(dict)
             << "Entry 'selfContact' in dictionary " << dict.name() << " is on,"
             << " but type medialAxis finds no pairs within one object: take"
-            << " surfaceCells or surfaceTree" << exit(FatalIOError);
+            << " surfaceTree" << exit(FatalIOError);
     }
 }
 

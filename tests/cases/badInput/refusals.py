@@ -104,7 +104,7 @@ PROPERTIES = [
     ("unknown contact law", "contact { law { type glue; } }",
      ("law", "glue", "elastic")),
     ("unknown contact search", "contact { search { type luck; } }",
-     ("search", "luck", "surfaceCells")),
+     ("search", "luck", "surfaceTree")),
     ("unknown driving force", "drivingForce { type wind; }",
      ("drivingForce", "wind", "meanVelocity")),
     ("mean velocity without cyclic patches",

@@ -59,33 +59,14 @@ surfaceSet sliver()
 } // End anonymous namespace
 
 
-TEST(ContactSearchSpace, treeAndCellsFindWhatBruteForceFinds)
+TEST(ContactSearchSpace, findsWhatBruteForceFinds)
 {
     const surfaceSet spheres(squeezedSpheres(14, 3));
     for (const scalar range : {0.1, 0.6})
     {
         const contactPairs expected(bruteForce(spheres, range, true));
         EXPECT_GT(expected.pairs.size(), 100);
-        expectSame(contactsOf(spheres, range, "type surfaceCells;"), expected);
-        expectSame(contactsOf(spheres, range, "type surfaceTree;"), expected);
-    }
-}
-
-
-TEST(ContactSearchSpace, treeFindsWhatCellsFindInThePlane)
-{
-    const std::vector<surfaceSet> sets
-    ({
-        wavyOutlines(40, 63), lattice(5, 20, 2.2)
-    });
-    for (const surfaceSet& surfaces : sets)
-    {
-        const contactPairs tree(contactsOf(surfaces, 0.4, "type surfaceTree;"));
-        expectSame(tree, contactsOf(surfaces, 0.4, "type surfaceCells;"));
-        for (label i = 1; i < tree.pairs.size(); ++i)
-        {
-            ASSERT_LE(tree.pairs[i - 1].node, tree.pairs[i].node);
-        }
+        expectSame(contactsOf(spheres, range), expected);
     }
 }
 
@@ -93,18 +74,15 @@ TEST(ContactSearchSpace, treeFindsWhatCellsFindInThePlane)
 TEST(ContactSearchSpace, placesOfOneObjectThatFaceEachOther)
 {
     const surfaceSet ball(slitBall(4));
-    for (const char* type : {"type surfaceCells;", "type surfaceTree;"})
+    const contactPairs found(contactsOf(ball, 0.4));
+    expectSame(found, bruteForce(ball, 0.4, true));
+    EXPECT_GT(found.pairs.size(), 50);
+    for (const contactPair& p : found.pairs)
     {
-        const contactPairs found(contactsOf(ball, 0.4, type));
-        expectSame(found, bruteForce(ball, 0.4, true));
-        EXPECT_GT(found.pairs.size(), 50);
-        for (const contactPair& p : found.pairs)
-        {
-            EXPECT_GT(p.gap, 0);
-            EXPECT_LT(mag(ball.points()[p.node].z()), 0.5);
-        }
-        EXPECT_EQ(contactsOf(sphereAtOrigin(1, 3), 0.8, type).pairs.size(), 0);
+        EXPECT_GT(p.gap, 0);
+        EXPECT_LT(mag(ball.points()[p.node].z()), 0.5);
     }
+    EXPECT_EQ(contactsOf(sphereAtOrigin(1, 3), 0.8).pairs.size(), 0);
 }
 
 

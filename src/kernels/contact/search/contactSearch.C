@@ -29,12 +29,10 @@ Foam::fsi::contactSearch::contactSearch(const dictionary& dict)
 
 Foam::autoPtr<Foam::fsi::contactSearch> Foam::fsi::contactSearch::New
 (
-    const dictionary& dict,
-    const direction nDims
+    const dictionary& dict
 )
 {
-    const word usual(nDims == 2 ? "surfaceCells" : "surfaceTree");
-    const word type(dict.lookupOrDefault<word>("type", usual));
+    const word type(dict.lookupOrDefault<word>("type", "surfaceTree"));
     return constructorOf
     (
         *dictionaryConstructorTablePtr_, dict, typeName, type

@@ -7,11 +7,10 @@
 Foam::fsi::pairFinder::pairFinder
 (
     const dictionary& dict,
-    const direction nDims,
     periodicImages& images
 )
 :
-    search_(contactSearch::New(dict, nDims)),
+    search_(contactSearch::New(dict)),
     images_(images)
 {}
 
