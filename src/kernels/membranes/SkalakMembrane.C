@@ -66,9 +66,8 @@ static void addSkalakForces
 
 
 //- C from the moduli of area and shear
-static scalar readRatio(const dictionary& dict)
+static scalar readRatio(const dictionary& dict, const scalar shear)
 {
-    const scalar shear = readPositive(dict, "shearModulus");
     const scalar area = readPositive(dict, "areaModulus", 3*shear);
     if (area < shear)
     {
@@ -88,7 +87,12 @@ static scalar readRatio(const dictionary& dict)
 
 Foam::fsi::SkalakMembrane::SkalakMembrane(const dictionary& dict)
 :
-    ratio_(readRatio(dict))
+    membraneLaw
+    (
+        readPositive(dict, "shearModulus"),
+        {"shearModulus", "areaModulus"}
+    ),
+    ratio_(readRatio(dict, modulus()))
 {}
 
 

@@ -2,6 +2,7 @@
 
 #include "dropMembrane.H"
 #include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
 #include "triangleForces.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -65,7 +66,9 @@ static void addDropForces
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::dropMembrane::dropMembrane(const dictionary&)
+Foam::fsi::dropMembrane::dropMembrane(const dictionary& dict)
+:
+    membraneLaw(readPositive(dict, "tension"), {"tension"})
 {}
 
 

@@ -2,6 +2,7 @@
 
 #include "neoHookeanMembrane.H"
 #include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
 #include "triangleForces.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -66,7 +67,9 @@ static void addNeoHookeanForces
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::neoHookeanMembrane::neoHookeanMembrane(const dictionary&)
+Foam::fsi::neoHookeanMembrane::neoHookeanMembrane(const dictionary& dict)
+:
+    membraneLaw(readPositive(dict, "shearModulus"), {"shearModulus"})
 {}
 
 

@@ -8,7 +8,7 @@
 Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
 :
     law(membraneLaw::New(dict)),
-    shearModulus(readPositive(dict, law->moduli().first())),
+    shearModulus(law->modulus()),
     bendingModulus(readNonNegative(dict, "bendingModulus", 0)),
     flat
     (
@@ -24,7 +24,7 @@ Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
         "type", "density", "law", "bendingModulus", "restCurvature",
         "innerViscosity"
     });
-    known.append(law->moduli());
+    known.append(law->entries());
     checkKeys(dict, known);
 }
 
