@@ -8,7 +8,8 @@ and the entry; never by a signal, never without an end.
 A file of the case (state, shapes, dictionaries, mesh, fields, tables of points
 and places, a surface) gets one fault: bytes changed, taken out or doubled, a
 number made absurd, a word exchanged, the end cut off. Half of the state files
-lose their check sums first, so that the checks behind them are met too.
+lose their check sums first, so that the checks behind them are met too. The
+solver runs on one, two or three ranks.
 """
 
 import os
@@ -139,7 +140,7 @@ def names_place(message, path, text):
         return ("'shape'" in message or "shapes" in message
                 or "(ball of placement balls" in message)
     # Sound files of another mesh: it is named, with a cell or a patch of it
-    if path in MESH and re.search(
+    if path.endswith(tuple(MESH)) and re.search(
             r"polyMesh.*(cell \d+ with centre|has a face at)", message, re.S):
         return True
     if os.path.basename(path) not in message:
@@ -148,12 +149,16 @@ def names_place(message, path, text):
                 or keys(text) & set(re.findall(r"[A-Za-z]\w+", message)))
 
 
-def outcome(case, path, program):
+def outcome(case, path, program, ranks):
     """What a program does with the case: a word and the end of its log."""
+    command = [program, "-case", case]
+    if ranks > 1:
+        command = ["mpirun", "--oversubscribe", "-np", str(ranks), *command,
+                   "-parallel"]
     with open(os.path.join(case, "log"), "wb") as log:
         try:
             status = subprocess.run(
-                [program, "-case", case], stdout=log, stderr=log, timeout=40,
+                command, stdout=log, stderr=log, timeout=60,
                 check=False).returncode
         except subprocess.TimeoutExpired:
             return "endless", ""
@@ -162,7 +167,7 @@ def outcome(case, path, program):
         log = stream.read()
     start = log.find("--> FOAM FATAL")
     message = log[start:] if start >= 0 else log[-600:]
-    if status < 0 or status >= 128:
+    if status < 0 or status >= 128 or "exited on signal" in log:
         return "signal", message
     if status == 0 or "Objects are not sound" in log:
         return "accepted", ""
@@ -180,11 +185,12 @@ def go_on(case):
     case.control(startFrom="latestTime", endTime=0.03, writeInterval=100)
 
 
-def flat_case(folder, write_format):
+def flat_case(folder, write_format, ranks=1):
     """Discs, membranes and a moved polygon, with their first time written; its
-    folder, and what runs on which of its files."""
+    folder, what runs on which of its files, and on how many ranks. On several
+    ranks the files are those of the first rank and of the last one."""
     case = fsiCase.Case(
-        os.path.join(folder, "case" + write_format), cells=(20, 20),
+        os.path.join(folder, f"{write_format}{ranks}"), cells=(20, 20),
         deltaT=0.01,
         endTime=TIME, writeInterval=2, walls={"top": "(1 0 0)"},
         shapes=SHAPES, placements=PLACEMENTS, properties=PROPERTIES,
@@ -194,7 +200,14 @@ def flat_case(folder, write_format):
                   encoding="ascii") as stream:
             stream.write(text)
     go_on(case)
-    return case.path, PROGRAMS
+    if ranks == 1:
+        return case.path, PROGRAMS, 1
+    case.decompose(ranks, 1, options=("-latestTime",))
+    files = [f"processor0/{f}" for f in STATE]
+    files += [*SHAPE_FILES, "constant/fsiProperties"]
+    files += [f"processor{ranks - 1}/{f}"
+              for f in MESH + [f"{TIME}/p", f"{TIME}/U"]]
+    return case.path, dict.fromkeys(files, "fsiPisoFoam"), ranks
 
 
 def solid_case(folder):
@@ -218,12 +231,12 @@ def solid_case(folder):
     go_on(case)
     return case.path, {
         "body.stl": "seedObjects", "constant/fsiObjects/body": "fsiPisoFoam",
-        f"{TIME}/uniform/fsiObjects/body": "fsiPisoFoam"}
+        f"{TIME}/uniform/fsiObjects/body": "fsiPisoFoam"}, 1
 
 
 def one(cases, folder, dice):
     """One damaged file; its outcome, a description and the message."""
-    case, programs = dice.choice(cases)
+    case, programs, ranks = dice.choice(cases)
     path = dice.choice(list(programs))
     wrong = os.path.join(folder, "wrong")
     shutil.rmtree(wrong, ignore_errors=True)
@@ -231,8 +244,8 @@ def one(cases, folder, dice):
     file = os.path.join(wrong, path)
     with open(file, "rb") as stream:
         data = stream.read()
-    bare = "/fsi" in path and path.startswith((TIME, "constant/fsiObjects")) \
-        and dice.random() < 0.5
+    bare = ("/fsi" in path and "fsiProperties" not in path
+            and dice.random() < 0.5)
     if bare:
         data = results.without_sums(data.decode("latin1")).encode("latin1")
     change = dice.choice(CHANGES)
@@ -241,16 +254,17 @@ def one(cases, folder, dice):
     if programs[path] == "seedObjects":
         # It would not drop the objects of a run
         shutil.rmtree(os.path.join(wrong, TIME))
-    word, message = outcome(wrong, path, programs[path])
+    word, message = outcome(wrong, path, programs[path], ranks)
     return (word, f"{path} {change.__name__}"
-            f"{' without sums' if bare else ''}", message)
+            f"{' without sums' if bare else ''} on {ranks} ranks", message)
 
 
 def main(folder, count=200, seed=1):
     """The damaged files."""
     report = fsiCase.Report()
-    flat = [flat_case(folder, f) for f in ("ascii", "binary")]
-    cases = 3*flat + [solid_case(folder)]
+    formats = ("ascii", "binary")
+    cases = (3*[flat_case(folder, f) for f in formats] + [solid_case(folder)]
+             + [flat_case(folder, f, n) for f in formats for n in (2, 3)])
     dice = random.Random(int(seed))
     counts = dict.fromkeys(
         ("accepted", "clear", "unclear", "signal", "endless"), 0)

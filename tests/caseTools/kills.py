@@ -64,7 +64,7 @@ def main(folder, count=20):
     dice = random.Random(1)
     kinds = []
     for write_format in ("binary", "ascii"):
-        for ranks in (1, 2):
+        for ranks in (1, 2, 3):
             path = os.path.join(folder, f"{write_format}{ranks}")
             case = small_case(path, writeFormat=write_format, endTime=END)
             if ranks > 1:
@@ -87,7 +87,8 @@ def main(folder, count=20):
         n_kills, n_aside = chain(killed, ranks, delays)
         total += n_kills
         aside += n_aside
-        folders = [""] if ranks == 1 else ["processor0", "processor1"]
+        folders = ([""] if ranks == 1
+                   else [f"processor{i}" for i in range(ranks)])
         wrong = []
         for folder_of in folders:
             one, other = (result(os.path.join(c, folder_of, END))
