@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "polygonPredicates.H"
-#include "boxPairs.H"
-#include "DynamicList.H"
-#include "ListOps.H"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
@@ -115,33 +112,6 @@ bool Foam::fsi::polygonPredicates::overlap
 )
 {
     return overlap(cornersOf(a), cornersOf(b));
-}
-
-
-Foam::List<Foam::labelPair> Foam::fsi::polygonPredicates::overlapping
-(
-    const UList<pointField>& polygons,
-    const vector& period
-)
-{
-    List<boundBox> boxes(polygons.size());
-    forAll(boxes, i)
-    {
-        boxes[i] = boundBox(polygons[i], false);
-    }
-
-    DynamicList<labelPair> found;
-    for (const boxPair& pair : boxPairs(boxes, period, 2))
-    {
-        const pointField moved(polygons[pair.first] + pair.shift);
-        if (overlap(moved, polygons[pair.second]))
-        {
-            found.append(labelPair(pair.first, pair.second));
-        }
-    }
-    std::sort(found.begin(), found.end());
-    found.resize(std::unique(found.begin(), found.end()) - found.begin());
-    return List<labelPair>(std::move(found));
 }
 
 

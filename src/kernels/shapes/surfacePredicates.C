@@ -76,42 +76,28 @@ static surfaceMesh meshOf
 }
 
 
-//- As overlapping, for triangles
-static DynamicList<labelPair> overlappingSolids
+//- Do two objects cross, touch or enclose each other, the first one moved?
+static bool overlap
 (
     const surfaceSet& surfaces,
-    const labelUList& objects,
-    const vector& period
+    const label a,
+    const label b,
+    const vector& shift
 )
 {
-    List<boundBox> boxes(objects.size());
-    forAll(boxes, i)
+    if (surfaces.nDims() == 2)
     {
-        boxes[i] = surfaces.bounds(objects[i]);
-    }
-
-    DynamicList<labelPair> found;
-    for (const boxPair& pair : boxPairs(boxes, period, 3))
-    {
-        const surfaceMesh a
+        return polygonPredicates::overlap
         (
-            meshOf(surfaces, objects[pair.first], pair.shift)
+            polygonOf(surfaces, a) + shift, polygonOf(surfaces, b)
         );
-        const surfaceMesh b(meshOf(surfaces, objects[pair.second], Zero));
-        if
-        (
-            CGAL::Polygon_mesh_processing::do_intersect
-            (
-                a,
-                b,
-                CGAL::parameters::do_overlap_test_of_bounded_sides(true)
-            )
-        )
-        {
-            found.append(labelPair(objects[pair.first], objects[pair.second]));
-        }
     }
-    return found;
+    return CGAL::Polygon_mesh_processing::do_intersect
+    (
+        meshOf(surfaces, a, shift),
+        meshOf(surfaces, b, Zero),
+        CGAL::parameters::do_overlap_test_of_bounded_sides(true)
+    );
 }
 
 } // End namespace surfacePredicates
@@ -145,23 +131,20 @@ Foam::List<Foam::labelPair> Foam::fsi::surfacePredicates::overlapping
     const vector& period
 )
 {
-    DynamicList<labelPair> found;
-    if (surfaces.nDims() == 2)
+    List<boundBox> boxes(objects.size());
+    forAll(boxes, i)
     {
-        List<pointField> polygons(objects.size());
-        forAll(polygons, i)
-        {
-            polygons[i] = polygonOf(surfaces, objects[i]);
-        }
-        found = polygonPredicates::overlapping(polygons, period);
-        for (labelPair& pair : found)
-        {
-            pair = labelPair(objects[pair.first()], objects[pair.second()]);
-        }
+        boxes[i] = surfaces.bounds(objects[i]);
     }
-    else
+
+    DynamicList<labelPair> found;
+    for (const boxPair& pair : boxPairs(boxes, period, surfaces.nDims()))
     {
-        found = overlappingSolids(surfaces, objects, period);
+        const label a = objects[pair.first], b = objects[pair.second];
+        if (overlap(surfaces, a, b, pair.shift))
+        {
+            found.append(labelPair(a, b));
+        }
     }
     std::sort(found.begin(), found.end());
     found.resize(std::unique(found.begin(), found.end()) - found.begin());

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "openfoamVersion.H"
 #include "polygonPredicates.H"
+#include "surfacePredicates.H"
 
 using namespace Foam;
 using namespace Foam::fsi;
@@ -38,6 +40,28 @@ void expectOverlap(const pointField& a, const pointField& b, const bool answer)
     EXPECT_EQ(polygonPredicates::overlap(a, b), answer);
     EXPECT_EQ(polygonPredicates::overlap(b, a), answer);
     EXPECT_EQ(polygonPredicates::overlap(a, clockwise), answer);
+}
+
+List<labelPair> overlapping
+(
+    const List<pointField>& polygons,
+    const vector& period = Zero
+)
+{
+    surfaceSet surfaces(2);
+    for (const pointField& polygon : polygons)
+    {
+        List<surfaceFace> sides(polygon.size());
+        forAll(sides, i)
+        {
+            sides[i] = surfaceFace({i, (i + 1) % polygon.size(), -1});
+        }
+        surfaces.append(polygon, sides);
+    }
+    return surfacePredicates::overlapping
+    (
+        surfaces, identityList(polygons.size()), period
+    );
 }
 
 } // End anonymous namespace
@@ -85,7 +109,7 @@ TEST(PolygonPredicates, findsAllPairs)
         square(1.4, 1.4, 1), square(5.2, 5.2, 0.1)
     });
     const List<labelPair> expected({{0, 2}, {1, 4}, {2, 3}});
-    EXPECT_EQ(polygonPredicates::overlapping(polygons), expected);
+    EXPECT_EQ(overlapping(polygons), expected);
 }
 
 
@@ -98,17 +122,11 @@ TEST(PolygonPredicates, seesAcrossThePeriod)
         square(29.5, 3.5, 1), square(9.75, 9.5, 1)
     });
     const List<labelPair> expected({{0, 1}, {2, 3}});
-    EXPECT_EQ
-    (
-        polygonPredicates::overlapping(polygons, vector(10, 0, 0)), expected
-    );
+    EXPECT_EQ(overlapping(polygons, vector(10, 0, 0)), expected);
 
     const List<labelPair> inBoth({{0, 1}, {0, 4}, {1, 4}, {2, 3}});
-    EXPECT_EQ
-    (
-        polygonPredicates::overlapping(polygons, vector(10, 10, 0)), inBoth
-    );
-    EXPECT_EQ(polygonPredicates::overlapping(polygons).size(), 0);
+    EXPECT_EQ(overlapping(polygons, vector(10, 10, 0)), inBoth);
+    EXPECT_EQ(overlapping(polygons).size(), 0);
 }
 
 
