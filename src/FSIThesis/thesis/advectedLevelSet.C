@@ -135,7 +135,6 @@ Foam::fsi::advectedLevelSet::advectedLevelSet
         readBetween(dict, "order", 2, 1, 2)
     ),
     advection_(bandWidth_*grid.spacing()),
-    interface_("cubic"),
     exact_(2*grid.spacing()),
     nSteps_(0)
 {}

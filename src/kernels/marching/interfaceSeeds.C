@@ -101,23 +101,6 @@ bool Foam::fsi::interfaceSeeds::findCubic
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::fsi::interfaceSeeds::interfaceSeeds(const word& type)
-:
-    cubic_(type == "cubic"),
-    nLinear_(0)
-{
-    if (!cubic_ && type != "linear")
-    {
-        FatalErrorInFunction
-            << "Unknown type of interface seeds " << type
-            << ". Valid types: 2(cubic linear)"
-            << exit(FatalError);
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::interfaceSeeds::update
@@ -128,8 +111,6 @@ void Foam::fsi::interfaceSeeds::update
 {
     samples_.clear();
     distance_.clear();
-    nearest_.clear();
-    nLinear_ = 0;
 
     point linear, cubic;
     labelVector ijk;
@@ -144,15 +125,11 @@ void Foam::fsi::interfaceSeeds::update
                     continue;
                 }
                 const point sample(block.position(ijk));
-                const bool found =
-                    cubic_ && findCubic(block, phi, sample, cubic);
-                nLinear_ += cubic_ && !found;
-
-                const point& nearest = found ? cubic : linear;
+                const point& nearest =
+                    findCubic(block, phi, sample, cubic) ? cubic : linear;
                 const scalar distance = mag(nearest - sample);
                 const label samplei = block.index(ijk);
                 samples_.append(samplei);
-                nearest_.append(nearest);
                 distance_.append(phi[samplei] > 0 ? distance : -distance);
             }
         }

@@ -45,7 +45,7 @@ void marchTable()
                 marchingError(n, s.nDims, 2, s.distance).mean,
                 reinitialisationError
                 (
-                    n, s.nDims, 2, "cubic", s.distance
+                    n, s.nDims, 2, s.distance
                 ).mean
             });
             std::printf("%-10s %5d", s.name, n);

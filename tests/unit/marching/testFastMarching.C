@@ -11,16 +11,15 @@ namespace Foam
 namespace fsi
 {
 
-//- A march from the zero of phi, whatever its type of seeds
+//- A march from the zero of phi
 static levelSetFields marched
 (
     const cartesianBlock& block,
     const scalarField& phi,
-    const word& seedType,
     const label order
 )
 {
-    interfaceSeeds seeds(seedType);
+    interfaceSeeds seeds;
     fastMarching marching(GREAT, order);
     levelSetFields fields;
     fields.phi = phi;
@@ -40,7 +39,7 @@ TEST(FastMarching, ThreeByThreeSamples)
         phi[4] = -1;
         for (const label order : {1, 2})
         {
-            const levelSetFields fields(marched(block, phi, "linear", order));
+            const levelSetFields fields(marched(block, phi, order));
             for (const label corner : {0, 2, 6, 8})
             {
                 EXPECT_NEAR(fields.phi[corner], 1.20710678*h, 1e-8);
@@ -76,18 +75,14 @@ TEST(FastMarching, CircleErrorsAndOrders)
 
 
 // The order 2 needs seeds of at least order 2
-TEST(FastMarching, SeedsOfTheCubicTypeKeepTheSecondOrder)
+TEST(FastMarching, SeedsKeepTheSecondOrder)
 {
     const scalar cubic128 =
-        reinitialisationError(128, 2, 2, "cubic", circleDistance).mean;
+        reinitialisationError(128, 2, 2, circleDistance).mean;
     const scalar cubic256 =
-        reinitialisationError(256, 2, 2, "cubic", circleDistance).mean;
+        reinitialisationError(256, 2, 2, circleDistance).mean;
     EXPECT_GT(convergenceOrder(cubic128, cubic256), 1.8);
     EXPECT_LT(cubic128, 1.2*5.75e-5);
-
-    const scalar linear256 =
-        reinitialisationError(256, 2, 2, "linear", circleDistance).mean;
-    EXPECT_GT(linear256, 5*cubic256);
 }
 
 
@@ -123,7 +118,7 @@ TEST(FastMarching, SphereErrorsAndOrders)
     EXPECT_GT(convergenceOrder(two, twoFine), 1.4);
 
     const scalar cubic =
-        reinitialisationError(48, 3, 2, "cubic", circleDistance).mean;
+        reinitialisationError(48, 3, 2, circleDistance).mean;
     EXPECT_LT(cubic, 1.3*twoFine);
 }
 

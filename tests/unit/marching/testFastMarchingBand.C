@@ -199,7 +199,6 @@ TEST(FastMarchingBand, RefusesBadInput)
 
     EXPECT_THROW(fastMarching(h, 3), Foam::error);
     EXPECT_THROW(fastMarching(0), Foam::error);
-    EXPECT_THROW(interfaceSeeds("quintic"), Foam::error);
 
     // Exact distance that misses samples beside the surface
     surfaceSet surfaces(2);
