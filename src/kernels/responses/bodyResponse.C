@@ -137,14 +137,7 @@ void Foam::fsi::bodyResponse::respondBoundary
     Eigen::MatrixXd& v
 ) const
 {
-    if (matrix_.valid() && nCopies())
-    {
-        matrix_->solveBoundary(force, v);
-    }
-    else
-    {
-        v.setZero(force.rows(), force.cols());
-    }
+    bodyResponse::respondRoughly(force, v);
     const label nDims = shape_.nDims();
     const label nModes(modes_.size());
     for (label copyi = 0; copyi < nCopies(); ++copyi)

@@ -188,9 +188,16 @@ vector forceOnFirst(const vector& shift, const periodicImages& images)
     contactBodies bodies;
     bodies.reset(surfaces);
     bodies.areas() = 0.02;
-    const symmTensor inertia(0, 0, 0, 0, 0, 0.005);
-    bodies.setRigid(surfaces, 0, 1, first, inertia);
-    bodies.setRigid(surfaces, 1, 1, second, inertia);
+    forAll(surfaces.points(), i)
+    {
+        const label objecti = surfaces.pointObject()[i];
+        const bool begins = i == surfaces.pointStart()[objecti];
+        for (label d = 0; d < 2; ++d)
+        {
+            bodies.mode(i, begins ? bodies.addMode(objecti, 1) : d) = Zero;
+            bodies.mode(i, d)[d] = 1;
+        }
+    }
 
     contact touch(dictionary(), 2, 0.02, 1e3, 0, images);
     vectorField force;

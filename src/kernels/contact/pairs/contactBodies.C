@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactBodies.H"
-#include "symmTensor.H"
-
-#include <Eigen/Eigenvalues>
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -54,59 +51,6 @@ Foam::label Foam::fsi::contactBodies::addMode
     }
     b.coefficients[b.nModes] = coefficient;
     return b.nModes++;
-}
-
-
-void Foam::fsi::contactBodies::setRigid
-(
-    const surfaceSet& surfaces,
-    const label objecti,
-    const scalar mass,
-    const point& centre,
-    const symmTensor& inertia
-)
-{
-    const label start = surfaces.pointStart()[objecti];
-    const label end = surfaces.pointStart()[objecti + 1];
-
-    for (direction d = 0; d < surfaces.nDims(); ++d)
-    {
-        const label k = addMode(objecti, 1/mass);
-        for (label i = start; i < end; ++i)
-        {
-            mode(i, k) = Zero;
-            mode(i, k)[d] = 1;
-        }
-    }
-
-    // Principal axes; in 2D the only one is z
-    Eigen::Matrix3d moments;
-    moments <<
-        inertia.xx(), inertia.xy(), inertia.xz(),
-        inertia.xy(), inertia.yy(), inertia.yz(),
-        inertia.xz(), inertia.yz(), inertia.zz();
-    if (surfaces.nDims() == 2)
-    {
-        moments.setIdentity();
-        moments(2, 2) = inertia.zz();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(moments);
-
-    for (label a = 0; a < 3; ++a)
-    {
-        const Eigen::Vector3d axis(principal.eigenvectors().col(a));
-        if (surfaces.nDims() == 2 && std::abs(axis[2]) < 0.5)
-        {
-            continue;
-        }
-        const label k = addMode(objecti, 1/principal.eigenvalues()[a]);
-        for (label i = start; i < end; ++i)
-        {
-            mode(i, k) =
-                vector(axis[0], axis[1], axis[2])
-              ^ (surfaces.points()[i] - centre);
-        }
-    }
 }
 
 
