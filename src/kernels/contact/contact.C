@@ -65,7 +65,7 @@ Foam::fsi::contact::contact
             << "The law of dictionary " << dict.name() << " is '"
             << law_->type() << "', which knows no lubrication (entry"
             << " 'lubrication'); laws derived from potentialContact do:"
-            << " elastic, Morse, LennardJones" << exit(FatalIOError);
+            << " elastic, Morse" << exit(FatalIOError);
     }
     if (images_.cyclic() && (needsMedialAxis() || needsInternalForces()))
     {
