@@ -125,7 +125,7 @@ void Foam::fsi::contact::find
 {
     const scalar range = scales_.range + margin_;
     scalarField reaches;
-    if (finder_.takesReaches() && law_->startsAtRest())
+    if (!finder_.needsMedialAxis() && law_->startsAtRest())
     {
         reaches = ranges_.reaches(surfaces, margin_);
     }

@@ -2,8 +2,6 @@
 
 #include "medialAxisSearch.H"
 #include "addToRunTimeSelectionTable.H"
-#include "openfoamVersion.H"
-#include "pointTree.H"
 #include "Switch.H"
 
 #include <algorithm>
@@ -46,34 +44,35 @@ Foam::fsi::medialAxisSearch::medialAxisSearch(const dictionary& dict)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::medialAxisSearch::collectNodes
+void Foam::fsi::medialAxisSearch::findNear
 (
     const surfaceSet& surfaces,
-    const UList<medialAxisPoint>& medialAxis
+    const medialAxisPoint& p,
+    const scalar range
 )
 {
-    DynamicList<label>& objects = near_[0];
-    objects.clear();
-    for (const medialAxisPoint& p : medialAxis)
+    for (label side = 0; side < 2; ++side)
     {
-        objects.append(p.object[0]);
-        objects.append(p.object[1]);
-    }
-    makeUnique(objects);
-
-    involved_.clear();
-    for (const label objecti : objects)
-    {
+        const label objecti = p.object[side];
         if (objecti < 0 || objecti >= surfaces.size())
         {
             FatalErrorInFunction
                 << "The medial axis names object " << objecti
                 << ", there are " << surfaces.size() << exit(FatalError);
         }
+        near_[side].clear();
         const label end = surfaces.pointStart()[objecti + 1];
         for (label i = surfaces.pointStart()[objecti]; i < end; ++i)
         {
-            involved_.append(i);
+            vector apart(surfaces.points()[i] - p.position);
+            if (surfaces.nDims() == 2)
+            {
+                apart.z() = 0;
+            }
+            if (magSqr(apart) < sqr(range))
+            {
+                near_[side].append(i);
+            }
         }
     }
 }
@@ -149,34 +148,12 @@ void Foam::fsi::medialAxisSearch::find
     found.clear();
     candidates_.clear();
     geometry_.update(surfaces);
-    collectNodes(surfaces, medialAxis);
     connectFaces(surfaces);
 
-    if (involved_.size())
+    for (const medialAxisPoint& p : medialAxis)
     {
-        const pointField nodes(surfaces.points(), involved_);
-        const pointTree<-1> tree(nodes, surfaces.nDims());
-        for (const medialAxisPoint& p : medialAxis)
-        {
-            near_[0].clear();
-            near_[1].clear();
-            tree.near
-            (
-                p.position,
-                range,
-                [&](const label i)
-                {
-                    const label nodei = involved_[i];
-                    const label side =
-                        indexOf(p.object, surfaces.pointObject()[nodei]);
-                    if (side >= 0)
-                    {
-                        near_[side].append(nodei);
-                    }
-                }
-            );
-            combine(found.nodePairs);
-        }
+        findNear(surfaces, p, range);
+        combine(found.nodePairs);
     }
     makeUnique(found.nodePairs);
     makeUnique(candidates_);
