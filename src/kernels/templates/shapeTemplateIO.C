@@ -52,10 +52,4 @@ Foam::fsi::shapeTemplate::shapeTemplate(const dictionary& written)
 }
 
 
-Foam::fsi::shapeTemplate::shapeTemplate(Istream& is)
-:
-    shapeTemplate(dictionary(is))
-{}
-
-
 // ************************************************************************* //

@@ -36,7 +36,10 @@ TEST(rigidBodies, goOnBitByBit)
 
         OStringStream shapeText;
         shape->write(shapeText);
-        const shapeTemplate restoredShape(IStringStream(shapeText.str())());
+        const shapeTemplate restoredShape
+        {
+            dictionary(IStringStream(shapeText.str())())
+        };
         EXPECT_EQ(restoredShape.nNodes(), shape->nNodes());
         EXPECT_TRUE(restoredShape.nodeMasses() == shape->nodeMasses());
         OStringStream text;

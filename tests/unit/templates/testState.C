@@ -93,7 +93,7 @@ TEST(state, templateRoundTripKeepsEveryBit)
     for (const format fmt : {IOstream::ASCII, IOstream::BINARY})
     {
         IStringStream is(written(*shape, fmt), fmt);
-        const shapeTemplate restored(is);
+        const shapeTemplate restored{dictionary(is)};
 
         EXPECT_EQ(restored.name(), shape->name());
         EXPECT_TRUE(restored.points() == shape->points());
