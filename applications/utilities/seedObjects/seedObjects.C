@@ -84,11 +84,11 @@ static void write(const Time& runTime, const fsi::population& objects)
     const fileName pictures(runTime.globalPath()/folder);
     fsi::surfacePolyData(objects).write
     (
-        pictures/"surfaces.vtp", runTime.value(), true
+        pictures/"surfaces.vtp", runTime.value()
     );
     fsi::springPolyData(objects).write
     (
-        pictures/"springs.vtp", runTime.value(), true
+        pictures/"springs.vtp", runTime.value()
     );
     Info<< "Look at the set-up in " << folder << nl;
 }

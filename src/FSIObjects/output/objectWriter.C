@@ -63,8 +63,8 @@ Foam::fsi::objectWriter::objectWriter
     (
         dict,
         {
-            "surfaces", "springs", "binary", "globalEvery", "objectsEvery",
-            "log", "crossing"
+            "surfaces", "springs", "globalEvery", "objectsEvery", "log",
+            "crossing"
         }
     );
     if (!Pstream::master())
@@ -77,7 +77,6 @@ Foam::fsi::objectWriter::objectWriter
         time.globalPath()/outputFolder()/bodyGroups::folder
        /time.timeName(time.startTime().value())
     );
-    const bool binary = dict.lookupOrDefault<Switch>("binary", true);
 
     objectTable_.reset
     (
@@ -89,11 +88,11 @@ Foam::fsi::objectWriter::objectWriter
     );
     if (dict.lookupOrDefault<Switch>("surfaces", true))
     {
-        surfaceSeries_.reset(new polyDataSeries(folder, "surfaces", binary));
+        surfaceSeries_.reset(new polyDataSeries(folder, "surfaces"));
     }
     if (dict.lookupOrDefault<Switch>("springs", true))
     {
-        springSeries_.reset(new polyDataSeries(folder, "springs", binary));
+        springSeries_.reset(new polyDataSeries(folder, "springs"));
     }
 }
 

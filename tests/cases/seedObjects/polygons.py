@@ -18,11 +18,8 @@ CODES = {"Int32": "i", "Int64": "q", "Float32": "f", "Float64": "d"}
 
 
 def values(array):
-    """The numbers of a DataArray element, in base64 or as text."""
+    """The numbers of a DataArray element, in base64."""
     code = CODES[array.get("type")]
-    if array.get("format") == "ascii":
-        return [float(v) if code in "fd" else int(v)
-                for v in array.text.split()]
     raw = base64.b64decode("".join(array.text.split()), validate=True)
     (n_bytes,) = struct.unpack("<Q", raw[:8])
     if n_bytes != len(raw) - 8:

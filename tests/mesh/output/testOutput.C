@@ -203,7 +203,7 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
     {
         fsi::objectWriter writer
         (
-            box.time(), someObjects::dict("binary no; globalEvery 2;"), 2
+            box.time(), someObjects::dict("globalEvery 2;"), 2
         );
         stepRecord record;
         for (label stepi = 0; stepi < 5; ++stepi)

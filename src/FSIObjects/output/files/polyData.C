@@ -112,15 +112,14 @@ Foam::fsi::polyData::polyData(const cellKind kind)
 void Foam::fsi::polyData::write
 (
     const fileName& file,
-    const scalar time,
-    const bool binary
+    const scalar time
 ) const
 {
     checkSizes();
     mkDir(file.path());
 
     std::ofstream os(file);
-    vtkXml xml(os, binary);
+    vtkXml xml(os);
     xml.beginFile("PolyData");
     xml.begin("PolyData");
     xml.begin("FieldData");

@@ -10,13 +10,11 @@
 Foam::fsi::polyDataSeries::polyDataSeries
 (
     const fileName& folder,
-    const word& name,
-    const bool binary
+    const word& name
 )
 :
     folder_(folder),
-    name_(name),
-    binary_(binary)
+    name_(name)
 {
     for (const fileName& file : filesIn(folder_))
     {
@@ -36,7 +34,7 @@ void Foam::fsi::polyDataSeries::write(const polyData& data, const scalar time)
     std::snprintf(number, sizeof(number), "%06d", int(times_.size()));
     const fileName file(name_ + "_" + number + ".vtp");
 
-    data.write(folder_/file, time, binary_);
+    data.write(folder_/file, time);
     files_.append(file);
     times_.append(time);
 

@@ -45,7 +45,7 @@ void Foam::fsi::vtkXml::beginArray
     (
         "DataArray",
         std::string("type='") + kind + "' Name='" + name + "'" + more
-      + " format='" + (binary_ ? "binary" : "ascii") + "'"
+      + " format='binary'"
     );
 }
 
@@ -53,21 +53,11 @@ void Foam::fsi::vtkXml::beginArray
 template<class Number>
 void Foam::fsi::vtkXml::writeNumbers(const std::vector<Number>& numbers)
 {
-    if (binary_)
-    {
-        writeBase64
-        (
-            reinterpret_cast<const char*>(numbers.data()),
-            numbers.size()*sizeof(Number)
-        );
-        return;
-    }
-    const std::size_t perLine = 6;
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-    {
-        const bool last = (i + 1) % perLine == 0 || i + 1 == numbers.size();
-        os_ << numbers[i] << (last ? '\n' : ' ');
-    }
+    writeBase64
+    (
+        reinterpret_cast<const char*>(numbers.data()),
+        numbers.size()*sizeof(Number)
+    );
 }
 
 
@@ -99,17 +89,6 @@ void Foam::fsi::vtkXml::writeBase64
     // Characters that only fill up the last three bytes are shown as =
     std::fill(text.end() - (all.size() - n), text.end(), '=');
     os_ << text << '\n';
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::fsi::vtkXml::vtkXml(std::ostream& os, const bool binary)
-:
-    os_(os),
-    binary_(binary)
-{
-    os_.precision(9);
 }
 
 
@@ -208,7 +187,7 @@ void Foam::fsi::vtkXml::array
     const UList<word>& values
 )
 {
-    // Characters, with a zero behind each word; as text their numbers
+    // Characters, with a zero behind each word
     std::string text;
     for (const word& value : values)
     {
@@ -218,17 +197,9 @@ void Foam::fsi::vtkXml::array
     (
         "Array",
         "type='String' Name='" + name + "' NumberOfTuples='"
-      + std::to_string(values.size()) + "' format='"
-      + (binary_ ? "binary" : "ascii") + "'"
+      + std::to_string(values.size()) + "' format='binary'"
     );
-    if (binary_)
-    {
-        writeBase64(text.data(), text.size());
-    }
-    else
-    {
-        writeNumbers(std::vector<int>(text.begin(), text.end()));
-    }
+    writeBase64(text.data(), text.size());
     end();
 }
 
