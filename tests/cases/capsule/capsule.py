@@ -10,6 +10,7 @@ number is 0.05, the walls are 4 radii from the centre. The capillary number is
 mu times rate times radius over the shear modulus.
 """
 
+import filecmp
 import os
 import sys
 
@@ -96,6 +97,32 @@ def check_ranks(report, folder):
                      f"{error:.2e} of the size")
 
 
+def check_restart(report, folder):
+    """A run that was stopped ends as the run without a stop, on one rank and on
+    two; a capsule with another viscosity inside and bending."""
+    more = {"cells": 4, "deltaT": 0.1*STEP, "writeInterval": 3,
+            "writeFormat": "binary", "timePrecision": 10, "material":
+            f"bendingModulus {0.01*VISCOSITY}; "
+            f"innerViscosity {3*VISCOSITY};"}
+    for ranks in (1, 2):
+        whole = capsule(folder, f"whole{ranks}", endTime=0.6*STEP, **more)
+        stopped = capsule(folder, f"stopped{ranks}", endTime=0.3*STEP, **more)
+        for case in (whole, stopped):
+            if ranks > 1:
+                case.decompose(ranks, 1, 1)
+            case.run("fsiPisoFoam", ranks=ranks)
+        stopped.control(startFrom="latestTime", endTime=0.6*STEP)
+        stopped.run("fsiPisoFoam", ranks=ranks)
+        rank = "processor0" if ranks > 1 else ""
+        files = [os.path.join(rank, results.times(
+            os.path.join(whole.path, rank))[-1], name)
+            for name in ("U", "p", "phi", "uniform/fsiObjects/capsule")]
+        differ = [f for f in files if not filecmp.cmp(
+            os.path.join(whole.path, f), os.path.join(stopped.path, f), False)]
+        report.check(f"restart on {ranks}: the same to the last bit",
+                     not differ, str(differ))
+
+
 def check_refused(report, folder):
     """What does not work is named."""
     for name, more, words in (
@@ -118,6 +145,7 @@ def main(folder):
     report = fsiCase.Report()
     report.attempt("shear", check_deformation, report, folder)
     report.attempt("ranks", check_ranks, report, folder)
+    report.attempt("restart", check_restart, report, folder)
     report.attempt("refused", check_refused, report, folder)
 
 
