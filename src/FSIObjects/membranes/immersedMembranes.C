@@ -84,17 +84,6 @@ void Foam::fsi::immersedMembranes::checkStep
             << "Take a step of " << deltaT*stepLimit/ratio
             << " s or less, or a smaller areaModulus" << exit(FatalError);
     }
-    const scalar inside =
-        deltaT*shape.sheet()->innerViscosity/(fluid_.density*sqr(h));
-    if (contrast_.valid() && inside > innerLimit)
-    {
-        FatalErrorInFunction
-            << "The time step " << deltaT << " s is too long for the viscosity"
-            << " inside shape " << shape.name() << ": dt nu/h^2 is " << inside
-            << " there but must be " << innerLimit << " at most" << nl
-            << "Take a step of " << deltaT*innerLimit/inside << " s or less"
-            << exit(FatalError);
-    }
 }
 
 

@@ -5,8 +5,11 @@
 #include "fvcSurfaceIntegrate.H"
 #include "insideFraction.H"
 #include "openLaplacian.H"
+#include "sumOverRanks.H"
 #include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
+
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -47,6 +50,43 @@ Foam::fsi::viscosityContrast::viscosityContrast
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarField Foam::fsi::viscosityContrast::outflow
+(
+    const volScalarField& f
+) const
+{
+    surfaceScalarField flux
+    (
+        IOobject("gradientFlux", nameOf(f.mesh().time()), f.mesh()),
+        f.mesh(),
+        dimensionedScalar(dimless, Zero)
+    );
+    const cartesianMesh& grid = geometry_.grid();
+    subtractGradient(geometry_, f, grid.spacing()/grid.faceArea(), flux);
+    scalarField inflow(f.size(), Zero);
+    subtractOutflow(flux, inflow);
+    return -inflow;
+}
+
+
+void Foam::fsi::viscosityContrast::smooth
+(
+    const scalar D,
+    volScalarField& f
+) const
+{
+    // A wave with the eigenvalue c of the Laplacian times h^2 keeps the part
+    // (1 - c/(4 d))^n, about 1/(1 + D c^2/4)
+    const label perStep = 4*geometry_.grid().nDims();
+    const label n = label(std::ceil(3.3*std::sqrt(D)));
+    for (label i = 0; i < n; ++i)
+    {
+        f.correctBoundaryConditions();
+        f.primitiveFieldRef() -= outflow(f)/perStep;
+    }
+}
+
 
 Foam::scalar Foam::fsi::viscosityContrast::moreInside
 (
@@ -196,17 +236,21 @@ void Foam::fsi::viscosityContrast::correctPressure
     volScalarField& p
 ) const
 {
-    // div u* is what the change of the pressure makes of it
-    const volScalarField change("pressureChange", p - last);
-    surfaceScalarField flux
+    const fvMesh& mesh = p.mesh();
+    const scalar perNu = tau/sqr(geometry_.grid().spacing());
+    const scalarField nu(fluid_.viscosity + more_.primitiveField());
+
+    // -(h^2/dt) div u* is what the change of the pressure makes of it
+    volScalarField divergence
     (
-        IOobject("changeFlux", nameOf(p.mesh().time()), p.mesh()),
-        p.mesh(),
-        dimensionedScalar(dimVelocity*dimArea, Zero)
+        IOobject("divergence", nameOf(mesh.time()), mesh),
+        mesh,
+        dimensionedScalar(dimless, Zero),
+        zeroGradientFvPatchScalarField::typeName
     );
-    subtractGradient(geometry_, change, tau, flux);
-    scalarField divergence(p.size(), Zero);
-    subtractOutflow(flux, divergence);
+    divergence.primitiveFieldRef() =
+        outflow(volScalarField("change", p - last));
+    smooth(perNu*overRanks(max(nu), maxOp<scalar>()), divergence);
 
     boolList whole(geometry_.fluidCell());
     const surfaceScalarField& open = geometry_.openArea();
@@ -214,16 +258,15 @@ void Foam::fsi::viscosityContrast::correctPressure
     {
         if (open[facei] < 1)
         {
-            whole[p.mesh().owner()[facei]] = false;
-            whole[p.mesh().neighbour()[facei]] = false;
+            whole[mesh.owner()[facei]] = false;
+            whole[mesh.neighbour()[facei]] = false;
         }
     }
     forAll(p, celli)
     {
         if (whole[celli])
         {
-            p[celli] -=
-                fluid_.viscosity*divergence[celli]/p.mesh().V()[celli];
+            p[celli] += perNu*nu[celli]*divergence[celli];
         }
     }
     p.correctBoundaryConditions();
