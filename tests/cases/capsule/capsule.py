@@ -99,9 +99,11 @@ def check_contrast(report, folder):
 
 
 def check_ranks(report, folder):
-    """Two ranks, cut across a cyclic direction or along the walls."""
+    """Two ranks, cut across a cyclic direction or along the walls, with
+    another viscosity inside."""
     short = {"cells": 4, "endTime": 5*STEP, "writeInterval": 5,
-             "writePrecision": 17, "p_tolerance": 1e-12, "U_tolerance": 1e-12}
+             "writePrecision": 17, "p_tolerance": 1e-12, "U_tolerance": 1e-12,
+             "material": f"innerViscosity {3*VISCOSITY};"}
     serial = capsule(folder, "serial", **short)
     serial.run("fsiPisoFoam")
     for parts in ((2, 1, 1), (1, 2, 1)):
