@@ -113,6 +113,10 @@ OFFENCES = [
      "src/kernels/low/low.C:2:", ["tab"]),
     ("trailing blank", {"src/kernels/low/low.C": SPDX + "x \n"},
      "src/kernels/low/low.C:2:", ["trailing blank"]),
+    ("script that cannot be run",
+     {"tutorials/one/Allrun":
+          "#!/bin/bash\n# SPDX-License-Identifier: GPL-3.0-or-later\n"},
+     "tutorials/one/Allrun:1:", ["not executable"]),
     ("no licence", {"src/kernels/low/low.C": "\n"},
      "src/kernels/low/low.C:1:", ["no SPDX identifier"]),
     ("two classes in a header",
