@@ -23,17 +23,12 @@ def counted(case, ranks, preloaded):
     folder = os.path.join(case.path, "counts")
     os.makedirs(folder)
     names = {"LD_PRELOAD": preloaded, "FSI_COUNTS": folder}
-    command = ["fsiPisoFoam", "-case", case.path]
-    if ranks == 1:
-        command = ["env", *(f"{k}={v}" for k, v in names.items()), *command]
-    else:
-        command = (["mpirun", "--oversubscribe", "-np", str(ranks)]
-                   + [word for k, v in names.items()
-                      for word in ("-x", f"{k}={v}")]
-                   + command + ["-parallel"])
-    with open(os.path.join(case.path, "log.fsiPisoFoam"), "w",
-              encoding="utf-8") as log:
-        subprocess.run(command, stdout=log, stderr=log, check=True)
+    os.environ.update(names)
+    try:
+        case.run("fsiPisoFoam", ranks=ranks)
+    finally:
+        for name in names:
+            del os.environ[name]
     rows = []
     for rank in range(ranks):
         with open(os.path.join(folder, f"{rank}.csv"),

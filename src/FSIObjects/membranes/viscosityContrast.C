@@ -51,29 +51,26 @@ Foam::fsi::viscosityContrast::viscosityContrast
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalarField Foam::fsi::viscosityContrast::outflow
+Foam::scalarField Foam::fsi::viscosityContrast::laplacian
 (
-    const volScalarField& f
+    const volScalarField& f,
+    surfaceScalarField& flux
 ) const
 {
-    surfaceScalarField flux
-    (
-        IOobject("gradientFlux", nameOf(f.mesh().time()), f.mesh()),
-        f.mesh(),
-        dimensionedScalar(dimless, Zero)
-    );
     const cartesianMesh& grid = geometry_.grid();
+    flux = dimensionedScalar(dimless, Zero);
     subtractGradient(geometry_, f, grid.spacing()/grid.faceArea(), flux);
-    scalarField inflow(f.size(), Zero);
-    subtractOutflow(flux, inflow);
-    return -inflow;
+    scalarField sum(f.size(), Zero);
+    subtractOutflow(flux, sum);
+    return sum;
 }
 
 
 void Foam::fsi::viscosityContrast::smooth
 (
     const scalar D,
-    volScalarField& f
+    volScalarField& f,
+    surfaceScalarField& flux
 ) const
 {
     // A wave with the eigenvalue c of the Laplacian times h^2 keeps the part
@@ -83,7 +80,7 @@ void Foam::fsi::viscosityContrast::smooth
     for (label i = 0; i < n; ++i)
     {
         f.correctBoundaryConditions();
-        f.primitiveFieldRef() -= outflow(f)/perStep;
+        f.primitiveFieldRef() += laplacian(f, flux)/perStep;
     }
 }
 
@@ -240,7 +237,13 @@ void Foam::fsi::viscosityContrast::correctPressure
     const scalar perNu = tau/sqr(geometry_.grid().spacing());
     const scalarField nu(fluid_.viscosity + more_.primitiveField());
 
-    // -(h^2/dt) div u* is what the change of the pressure makes of it
+    // (h^2/dt) div u* is what the change of the pressure makes of it
+    surfaceScalarField flux
+    (
+        IOobject("flux", nameOf(mesh.time()), mesh),
+        mesh,
+        dimensionedScalar(dimless, Zero)
+    );
     volScalarField divergence
     (
         IOobject("divergence", nameOf(mesh.time()), mesh),
@@ -249,8 +252,8 @@ void Foam::fsi::viscosityContrast::correctPressure
         zeroGradientFvPatchScalarField::typeName
     );
     divergence.primitiveFieldRef() =
-        outflow(volScalarField("change", p - last));
-    smooth(perNu*overRanks(max(nu), maxOp<scalar>()), divergence);
+        laplacian(volScalarField("change", p - last), flux);
+    smooth(perNu*overRanks(max(nu), maxOp<scalar>()), divergence, flux);
 
     boolList whole(geometry_.fluidCell());
     const surfaceScalarField& open = geometry_.openArea();
@@ -266,7 +269,7 @@ void Foam::fsi::viscosityContrast::correctPressure
     {
         if (whole[celli])
         {
-            p[celli] += perNu*nu[celli]*divergence[celli];
+            p[celli] -= perNu*nu[celli]*divergence[celli];
         }
     }
     p.correctBoundaryConditions();

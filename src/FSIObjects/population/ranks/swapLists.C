@@ -14,14 +14,13 @@ Foam::scalarList Foam::fsi::exchangeLists
 {
     // In bytes
     const label n = sentSizes.size();
-    List<int> put(n), take(n), putStarts(n + 1, 0), takeStarts(n + 1, 0);
+    List<int> put(n), take(n);
     for (label ranki = 0; ranki < n; ++ranki)
     {
         put[ranki] = sizeof(scalar)*sentSizes[ranki];
         take[ranki] = sizeof(scalar)*receivedSizes[ranki];
-        putStarts[ranki + 1] = putStarts[ranki] + put[ranki];
-        takeStarts[ranki + 1] = takeStarts[ranki] + take[ranki];
     }
+    const List<int> putStarts(startsOf(put)), takeStarts(startsOf(take));
     scalarList received(takeStarts[n]/sizeof(scalar));
     exchangeBytes
     (
