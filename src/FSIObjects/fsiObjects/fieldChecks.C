@@ -7,6 +7,7 @@
 #include "openfoamMesh.H"
 #include "patchChecks.H"
 #include "sharedPatches.H"
+#include "solverKeys.H"
 #include "sumOverRanks.H"
 #include "wallPolyPatch.H"
 
@@ -118,6 +119,7 @@ static void checkControls(const fvMesh& mesh, const word& field)
             << " has no dictionary '" << field << "'" << exit(FatalIOError);
     }
     const dictionary& controls = solverControls(mesh, field);
+    checkKeys(controls, solverKeys());
     for (const word key : {"tolerance", "relTol"})
     {
         const scalar value = controls.lookupOrDefault<scalar>(key, 0);

@@ -3,6 +3,7 @@
 #include "cartesianFFTPreconditioner.H"
 #include "cartesianSolverCache.H"
 #include "openfoamTypes.H"
+#include "solverKeys.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -24,12 +25,14 @@ namespace fsi
 Foam::fsi::cartesianFFTPreconditioner::cartesianFFTPreconditioner
 (
     const lduMatrix::solver& solver,
-    const dictionary&
+    const dictionary& controls
 )
 :
     lduMatrix::preconditioner(solver),
     transform_(cartesianSolverCache::transform(solver, false))
-{}
+{
+    checkSolverKeys(controls);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -2,6 +2,7 @@
 
 #include "cartesianFFTSolver.H"
 #include "cartesianSolverCache.H"
+#include "solverKeys.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -39,6 +40,7 @@ Foam::fsi::cartesianFFTSolver::cartesianFFTSolver
         solverControls
     )
 {
+    checkSolverKeys(solverControls);
     cartesianSolverCache::checkInterfaces(*this, solverControls);
 }
 

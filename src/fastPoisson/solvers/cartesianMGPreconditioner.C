@@ -3,6 +3,7 @@
 #include "cartesianMGPreconditioner.H"
 #include "cartesianSolverCache.H"
 #include "openfoamTypes.H"
+#include "solverKeys.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -29,7 +30,9 @@ Foam::fsi::cartesianMGPreconditioner::cartesianMGPreconditioner
 :
     lduMatrix::preconditioner(solver),
     multigrid_(cartesianSolverCache::multigrid(solver, controls))
-{}
+{
+    checkSolverKeys(controls);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //

@@ -2,6 +2,7 @@
 
 #include "cartesianMGSolver.H"
 #include "cartesianSolverCache.H"
+#include "solverKeys.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -39,6 +40,7 @@ Foam::fsi::cartesianMGSolver::cartesianMGSolver
         solverControls
     )
 {
+    checkSolverKeys(solverControls);
     cartesianSolverCache::checkInterfaces(*this, solverControls);
 }
 

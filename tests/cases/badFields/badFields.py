@@ -70,6 +70,9 @@ EDITS = [
      "tolerance 1e10;", ("fvSolution", "'tolerance'", "< 1")),
     ("negative tolerance", "system/fvSolution", r"tolerance \S+;",
      "tolerance -1;", ("fvSolution", "'tolerance'", ">= 0")),
+    ("unknown entry of a solver", "system/fvSolution", r"relTol 0;",
+     "wCycleFrom 2;", ("FATAL IO ERROR", "fvSolution", "'wCycleFrom'",
+                       "gatherCells")),
     ("relTol above 1", "system/fvSolution", r"relTol 0;", "relTol 2;",
      ("fvSolution", "'relTol'", "< 1")),
 ]

@@ -227,6 +227,39 @@ TEST(cartesianMG, preconditionsTheStockSolver)
 }
 
 
+TEST(cartesianMG, refusesEntriesThatNoSolverReads)
+{
+    NEEDS_THROWN_ERRORS
+    latticeOptions options;
+    options.n = labelVector(8, 8, 1);
+    latticeMesh mesh(options);
+    poissonProblem problem(mesh, {});
+    for
+    (
+        const string& controls
+      : {
+            "solver cartesianMG; wCycleFrom 2;",
+            "solver cartesianFFT; wCycleFrom 2;",
+            "solver PCG; preconditioner { preconditioner cartesianMG;"
+            " wCycleFrom 2; }"
+        }
+    )
+    {
+        try
+        {
+            problem.solve(controls);
+            ADD_FAILURE() << controls;
+        }
+        catch (const Foam::error& err)
+        {
+            const std::string message(err.message());
+            EXPECT_NE(message.find("'wCycleFrom'"), std::string::npos);
+            EXPECT_NE(message.find("gatherCells"), std::string::npos);
+        }
+    }
+}
+
+
 TEST(cartesianMG, refusesOtherMeshes)
 {
     NEEDS_THROWN_ERRORS
