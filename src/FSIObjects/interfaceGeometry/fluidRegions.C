@@ -2,7 +2,55 @@
 
 #include "fluidRegions.H"
 #include "sharedPatches.H"
+#include "regionSplit.H"
 #include "sumOverRanks.H"
+
+#include <map>
+#include <set>
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::fluidRegions::number()
+{
+    const fvMesh& mesh = geometry_.grid().mesh();
+    boolList blocked(mesh.nFaces(), false);
+    forAll(blocked, facei)
+    {
+        blocked[facei] = geometry_.openness()[facei] <= 0;
+    }
+    const regionSplit regions(mesh, blocked);
+    std::set<label> here;
+    forAll(regions, celli)
+    {
+        if (geometry_.activeCell()[celli])
+        {
+            here.insert(regions[celli]);
+        }
+    }
+    labelList mine(here.size());
+    std::copy(here.begin(), here.end(), mine.begin());
+    std::map<label, label> places;
+    for (const labelList& ofRank : gatherOverRanks(mine))
+    {
+        for (const label regioni : ofRank)
+        {
+            places[regioni] = 0;
+        }
+    }
+    nRegions_ = 0;
+    for (auto& place : places)
+    {
+        place.second = nRegions_++;
+    }
+    forAll(regions, celli)
+    {
+        if (geometry_.activeCell()[celli])
+        {
+            region_[celli] = places[regions[celli]];
+        }
+    }
+}
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -12,17 +60,12 @@ Foam::fsi::fluidRegions::fluidRegions
     const volScalarField& p
 )
 :
-    geometry_(geometry)
+    geometry_(geometry),
+    region_(geometry.grid().mesh().nCells(), -1),
+    nRegions_(0)
 {
+    number();
     const fvMesh& mesh = geometry.grid().mesh();
-    boolList blocked(mesh.nFaces(), false);
-    forAll(blocked, facei)
-    {
-        blocked[facei] = geometry.openness()[facei] <= 0;
-    }
-    regions_.reset(new regionSplit(mesh, blocked));
-    const regionSplit& regions = *regions_;
-
     cellWallArea_.setSize(mesh.nCells(), Zero);
     for (const wallFace& w : geometry.wallFaces())
     {
@@ -34,22 +77,25 @@ Foam::fsi::fluidRegions::fluidRegions
             }
         }
     }
-    wallArea_.setSize(regions.nRegions(), Zero);
+    wallArea_.setSize(nRegions_, Zero);
     forAll(cellWallArea_, celli)
     {
-        if (geometry.activeCell()[celli])
+        if (region_[celli] >= 0)
         {
-            wallArea_[regions[celli]] += cellWallArea_[celli];
+            wallArea_[region_[celli]] += cellWallArea_[celli];
         }
     }
-    open_.setSize(regions.nRegions(), Zero);
+    open_.setSize(nRegions_, Zero);
     for (const fvPatchScalarField& pp : p.boundaryField())
     {
         if (pp.fixesValue())
         {
             for (const label celli : pp.patch().faceCells())
             {
-                open_[regions[celli]] = 1;
+                if (region_[celli] >= 0)
+                {
+                    open_[region_[celli]] = 1;
+                }
             }
         }
     }
@@ -62,23 +108,20 @@ Foam::fsi::fluidRegions::fluidRegions
 
 void Foam::fsi::fluidRegions::removeNetSource(scalarField& source) const
 {
-    const regionSplit& regions = *regions_;
-    const boolList& active = geometry_.activeCell();
-
-    scalarField net(regions.nRegions(), Zero);
+    scalarField net(nRegions_, Zero);
     forAll(source, celli)
     {
-        if (active[celli])
+        if (region_[celli] >= 0)
         {
-            net[regions[celli]] += source[celli];
+            net[region_[celli]] += source[celli];
         }
     }
     sumOverRanks(net);
 
     forAll(source, celli)
     {
-        const label regioni = regions[celli];
-        if (active[celli] && open_[regioni] < 0.5 && wallArea_[regioni] > 0)
+        const label regioni = region_[celli];
+        if (regioni >= 0 && open_[regioni] < 0.5 && wallArea_[regioni] > 0)
         {
             source[celli] -=
                 net[regioni]*cellWallArea_[celli]/wallArea_[regioni];
@@ -93,14 +136,17 @@ Foam::scalarField Foam::fsi::fluidRegions::openOr
     const volVectorField& U
 ) const
 {
-    const regionSplit& regions = *regions_;
     scalarField open(open_);
     for (const wallFace& w : geometry_.wallFaces())
     {
         const label celli = w.lower >= 0 ? w.lower : w.upper;
-        if (celli >= 0 && objectMoves[w.place.object])
+        if
+        (
+            celli >= 0 && region_[celli] >= 0
+         && objectMoves[w.place.object]
+        )
         {
-            open[regions[celli]] += 1;
+            open[region_[celli]] += 1;
         }
     }
     for (const fvPatchVectorField& patch : U.boundaryField())
@@ -109,7 +155,10 @@ Foam::scalarField Foam::fsi::fluidRegions::openOr
         {
             for (const label celli : patch.patch().faceCells())
             {
-                open[regions[celli]] += 1;
+                if (region_[celli] >= 0)
+                {
+                    open[region_[celli]] += 1;
+                }
             }
         }
     }
@@ -125,8 +174,7 @@ Foam::label Foam::fsi::fluidRegions::closedInlet
     scalar& inflow
 ) const
 {
-    const regionSplit& regions = *regions_;
-    const label nRegions = regions.nRegions();
+    const label nRegions = nRegions_;
     const label nPatches = nSharedPatches(U.mesh().boundaryMesh());
 
     // Inflow into each region through each patch, patch by patch; behind it
@@ -142,7 +190,11 @@ Foam::label Foam::fsi::fluidRegions::closedInlet
         const vectorField& areas = patch.patch().Sf();
         forAll(patch, i)
         {
-            const label regioni = regions[patch.patch().faceCells()[i]];
+            const label regioni = region_[patch.patch().faceCells()[i]];
+            if (regioni < 0)
+            {
+                continue;
+            }
             const vector area
             (
                 geometry_.openness()[patch.patch().start() + i]*areas[i]
