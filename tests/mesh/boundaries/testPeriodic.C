@@ -137,14 +137,14 @@ TEST(periodic, meshKnowsItsPeriods)
     boxLayout layout;
     layout.cyclic[0] = true;
     layout.splitDirection = 1;
-    boxMesh box(labelVector(8, 4, 1), 2, layout);
+    boxMesh box(labelVector(8, 6, 1), 2, layout);
     const cartesianMesh grid(box.mesh());
     EXPECT_EQ(grid.period(), vector(8, 0, 0));
 
     const label celli = grid.findCell(point(0.5, 1.5, 0));
     EXPECT_EQ(grid.findCell(point(8.5, 1.5, 0)), celli);
     EXPECT_EQ(grid.findCell(point(-7.5, 1.5, 0)), celli);
-    EXPECT_EQ(grid.findCell(point(0.5, 5.5, 0)), -1);
+    EXPECT_EQ(grid.findCell(point(0.5, 7.5, 0)), -1);
     EXPECT_EQ(returnReduce(label(celli >= 0), sumOp<label>()), 1);
 
     const domainSides sides(box.mesh());

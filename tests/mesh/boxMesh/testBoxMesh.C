@@ -102,7 +102,7 @@ TEST(boxMesh, hasTheCellsOfALattice)
 
 TEST(boxMesh, twoDimensionsLeaveZUnsolved)
 {
-    boxMesh box(labelVector(4, 4, 1), 2);
+    boxMesh box(labelVector(6, 4, 1), 2);
     EXPECT_EQ(box.mesh().nGeometricD(), 2);
     EXPECT_EQ(box.mesh().geometricD().z(), -1);
     EXPECT_LT(openness(box.mesh()), 1e-14);
@@ -134,7 +134,7 @@ TEST(boxMesh, wavePassesACyclicPair)
         layout.spacing = 0.125;
         layout.cyclic[0] = true;
         layout.splitDirection = split;
-        boxMesh box(labelVector(8, 4, 1), 2, layout);
+        boxMesh box(labelVector(8, 6, 1), 2, layout);
         EXPECT_LT(laplacianError(box.mesh(), 1, 0.125), 1e-12);
     }
 }
@@ -155,7 +155,7 @@ TEST(boxMesh, removesItsFolder)
 {
     fileName path;
     {
-        boxMesh box(labelVector(4, 2, 1), 2);
+        boxMesh box(labelVector(6, 2, 1), 2);
         path = box.casePath();
         EXPECT_TRUE(isFile(path/"system"/"fvSchemes"));
     }
