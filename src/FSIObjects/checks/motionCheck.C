@@ -140,7 +140,7 @@ void Foam::fsi::motionCheck::checkOverlaps(const vector& period) const
 {
     const surfaceSet& surfaces = objects_.surfaces();
     DynamicList<label> sound;
-    for (label objecti = 0; objecti < objects_.size(); ++objecti)
+    for (label objecti = 0; objecti < objects_.nHeld(); ++objecti)
     {
         if (!surfacePredicates::cutsItself(surfaces, objecti))
         {

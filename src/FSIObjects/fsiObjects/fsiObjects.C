@@ -3,6 +3,7 @@
 #include "fsiObjects.H"
 #include "dictionaryCheck.H"
 #include "motionCheck.H"
+#include "needAllObjects.H"
 #include "openfoamMesh.H"
 #include "openfoamVersion.H"
 #include "readBetween.H"
@@ -63,7 +64,8 @@ static const fvMesh& named(const fvMesh& mesh)
 Foam::fsi::fsiObjects::fsiObjects
 (
     const fvMesh& mesh,
-    const scalar viscosity
+    const scalar viscosity,
+    const bool all
 )
 :
     mesh_(named(mesh)),
@@ -84,7 +86,7 @@ Foam::fsi::fsiObjects::fsiObjects
     ),
     grid_(mesh),
     sides_(mesh),
-    bodies_(mesh.time()),
+    bodies_(mesh.time(), grid_),
     levelSet_(levelSetUpdate::New(grid_, properties_)),
     images_(sides_.images()),
     surfaces_(&bodies_.surfaces()),
@@ -112,6 +114,25 @@ Foam::fsi::fsiObjects::fsiObjects
         bodies_, grid_.nDims(), grid_.bounds(), grid_.thickness()
     );
     stockInput::checkFrame(mesh);
+    if
+    (
+        all || needAllObjects(properties_) || contact_.needsAll()
+     || levelSet_->type() != "rebuilt"
+    )
+    {
+        bodies_.holdAll();
+    }
+    else if (severalRanks())
+    {
+        // Samples of the level set lie up to a cell and a half outside of
+        // cells; in a step surfaces move by less than a cell
+        const scalar h = grid_.spacing();
+        bodies_.share
+        (
+            max(levelSet_->bandWidth() + 1.5*h, contact_.reach()) + h
+        );
+        contact_.share();
+    }
     renew();
     seedRecord::check(bodies_, mesh.time(), sides_, grid_.spacing());
     checkMotion();
@@ -134,30 +155,6 @@ void Foam::fsi::fsiObjects::checkMotion() const
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::fsiObjects::share()
-{
-    const bool all =
-        contact_.needsAll() || levelSet_->type() != "rebuilt"
-     || readChoice
-        (
-            properties_.subOrEmptyDict("ranks"), "holders", "near",
-            {"near", "all"}
-        ) == "all";
-    if (all || !severalRanks())
-    {
-        return;
-    }
-
-    // Samples of the level set lie up to a cell and a half outside of cells; in
-    // a step surfaces move by less than a cell
-    const scalar h = grid_.spacing();
-    const scalar near = max(levelSet_->bandWidth() + 1.5*h, contact_.reach());
-    bodies_.share(grid_, near + h);
-    contact_.share();
-    renew();
-}
-
 
 void Foam::fsi::fsiObjects::write() const
 {

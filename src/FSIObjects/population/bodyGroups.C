@@ -7,6 +7,7 @@
 #include "openfoamVersion.H"
 #include "stateChecks.H"
 #include "stateFile.H"
+#include "swapLists.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
 
@@ -34,19 +35,27 @@ static wordList namesIn
     );
 }
 
+
+//- Mean of the surface nodes of a copy [m]
+static point meanOf(const bodyGroup& group, const label copyi)
+{
+    const label nDims = group.shape().nDims();
+    point mean(Zero);
+    for (direction d = 0; d < nDims; ++d)
+    {
+        const auto x = group.positions().col(nDims*copyi + d);
+        mean[d] = x.head(group.shape().nBoundaryNodes()).mean();
+    }
+    return mean;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::bodyGroups::readGroup
-(
-    const word& name,
-    const direction nDims,
-    const label nextId,
-    labelHashSet& taken
-)
+void Foam::fsi::bodyGroups::readShape(const word& name, const direction nDims)
 {
     const dictionary shape
     (
@@ -57,23 +66,105 @@ void Foam::fsi::bodyGroups::readGroup
     );
     shapes_.push_back(std::make_shared<shapeTemplate>(shape));
     stateChecks::checkShape(shape, *shapes_.back(), name, nDims);
+}
 
-    // The state refers to what seedObjects wrote
+
+void Foam::fsi::bodyGroups::readCopies(const label nextId, labelHashSet& taken)
+{
+    const bool first = rankIn() == 0;
+    const shapeTemplate& shape = *shapes_.back();
     const dictionary state
     (
-        stateFile::read
+        stateFile::readOnFirst
         (
             stateFile::input
             (
-                time_, nameOf(time_), "uniform"/folder, name
+                time_, nameOf(time_), "uniform"/folder, shape.name()
             )
         )
     );
-    checkSubDicts(state, {"motion"});
-    motions_.append(state.subDict("motion"));
-    groups_.append(bodyGroup::New(*shapes_.back(), motions_.last()));
-    groups_.last().read(state);
-    stateChecks::checkIds(state, groups_.last(), nextId, taken);
+    dictionary motion;
+    if (first)
+    {
+        checkSubDicts(state, {"motion"});
+        motion = state.subDict("motion");
+        groups_.append(bodyGroup::New(shape, motion));
+        groups_.last().read(state);
+        stateChecks::checkIds(state, groups_.last(), nextId, taken);
+        groups_.last().sort();
+    }
+    motions_.append(ofFirstRank(motion));
+    if (!first)
+    {
+        groups_.append(bodyGroup::New(shape, motions_.last()));
+    }
+}
+
+
+void Foam::fsi::bodyGroups::sendCopies
+(
+    bodyGroup& group,
+    const cellOwners& cells
+)
+{
+    group.setHistory(ofFirstRank(group.history()));
+    const bool first = rankIn() == 0;
+    copyValues one;
+    if (first && group.size())
+    {
+        group.take(0, one);
+    }
+    const label width = ofFirstRank(one.values().size());
+    const label nCopies = ofFirstRank(group.size());
+
+    // Blocks of some ten million numbers
+    const label block = max(label(1), 10000000/max(width, label(1)));
+    DynamicList<label> left, owners, comes;
+    for (label start = 0; start < nCopies; start += block)
+    {
+        const label end = min(start + block, nCopies);
+        pointField centres;
+        for (label copyi = start; first && copyi < end; ++copyi)
+        {
+            centres.append(meanOf(group, copyi));
+        }
+        const labelList ranks(cells.ranksAt(ofFirstRank(centres)));
+        comes.append(0);
+        for (const label ranki : ranks)
+        {
+            comes.last() += ranki == rankIn();
+        }
+        if (first)
+        {
+            owners.append(ranks);
+        }
+    }
+
+    label next = first ? group.size() : 0;
+    group.resize(first ? group.size() : sum(comes));
+    labelList sizes(nRanksIn(), Zero);
+    forAll(comes, blocki)
+    {
+        List<DynamicList<scalar>> sent(nRanksIn());
+        const label start = blocki*block;
+        for (label i = start; first && i < min(start + block, nCopies); ++i)
+        {
+            if (owners[i] > 0)
+            {
+                copyValues values;
+                group.take(i, values);
+                sent[owners[i]].append(values.values());
+                left.append(i);
+            }
+        }
+        sizes[0] = first ? 0 : width*comes[blocki];
+        copyValues values(swapLists(sent, sizes)[0]);
+        while (values.more())
+        {
+            group.exchange(next++, values);
+        }
+    }
+    group.remove(left);
 }
 
 
@@ -137,13 +228,23 @@ void Foam::fsi::bodyGroups::shareShapes(const bodyGroups& other)
 }
 
 
-void Foam::fsi::bodyGroups::read(const direction nDims, const label nextId)
+void Foam::fsi::bodyGroups::read
+(
+    const direction nDims,
+    const label nextId,
+    const cellOwners& cells
+)
 {
     const wordList names(namesIn(time_, caseConstant(time_), folder));
     labelHashSet taken;
     for (const word& name : names)
     {
-        readGroup(name, nDims, nextId, taken);
+        readShape(name, nDims);
+        readCopies(nextId, taken);
+        if (nRanksIn() > 1)
+        {
+            sendCopies(groups_.last(), cells);
+        }
     }
 
     const fileName local("uniform"/folder);

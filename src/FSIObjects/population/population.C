@@ -5,13 +5,24 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
+Foam::fsi::population::population
+(
+    const Time& time,
+    const cartesianMesh& grid
+)
+:
+    population(time, 2, 0)
+{
+    read(cellOwners(grid));
+}
+
+
 Foam::fsi::population::population(const Time& time)
 :
     population(time, 2, 0)
 {
-    readCounters();
-    groups_.read(nDims_, nextObjectId_);
-    renumber();
+    read(cellOwners());
+    holdAll();
 }
 
 

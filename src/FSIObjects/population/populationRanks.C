@@ -36,29 +36,67 @@ Foam::labelListList Foam::fsi::population::leaving() const
 }
 
 
+void Foam::fsi::population::gatherCopies
+(
+    const label groupi,
+    const bool onAll,
+    bodyGroup& group
+) const
+{
+    const bodyGroup& part = groups()[groupi];
+    copyValues mine;
+    for (label copyi = 0; copyi < part.size(); ++copyi)
+    {
+        part.take(copyi, mine);
+    }
+    group.setHistory(part.history());
+    copyValues values(ranks_.gathered(scalarList(mine.values()), onAll));
+    group.resize(values.more() ? nCopies(groupi) : 0);
+    for (label copyi = 0; copyi < group.size(); ++copyi)
+    {
+        group.exchange(copyi, values);
+    }
+    group.sort();
+}
+
+
+void Foam::fsi::population::read(const cellOwners& cells)
+{
+    cells_ = cells;
+    readCounters();
+    groups_.read(nDims_, nextObjectId_, cells_);
+    if (nRanksIn() > 1)
+    {
+        ranks_.share(reachBoxes());
+    }
+    renumber();
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::population::share
-(
-    const cartesianMesh& grid,
-    const scalar distance
-)
+void Foam::fsi::population::share(const scalar distance)
 {
-    cells_ = cellOwners(grid);
-    const labelList owners
-    (
-        cells_.ranksAt(objectMeans(surfaces(), surfaces().points()))
-    );
-    DynamicList<label> others;
-    forAll(owners, objecti)
+    if (!ranks_.shared())
     {
-        if (owners[objecti] != rankIn())
-        {
-            others.append(objecti);
-        }
+        ranks_.share(cells_.reach(distance));
+        renumber();
     }
-    ranks_.share(cells_.reach(distance));
-    remove(others);
+}
+
+
+void Foam::fsi::population::holdAll()
+{
+    if (ranks_.shared())
+    {
+        return;
+    }
+    forAll(groups(), groupi)
+    {
+        gatherCopies(groupi, true, groups()[groupi]);
+    }
+    ranks_ = objectRanks();
+    renumber();
 }
 
 
@@ -100,21 +138,7 @@ const Foam::fsi::population& Foam::fsi::population::whole
     all.groups_.shareShapes(groups_);
     forAll(groups(), groupi)
     {
-        const bodyGroup& part = groups()[groupi];
-        bodyGroup& group = all.groups()[groupi];
-        copyValues mine;
-        for (label copyi = 0; copyi < part.size(); ++copyi)
-        {
-            part.take(copyi, mine);
-        }
-        group.beginLike(part);
-        copyValues values(ranks_.gathered(scalarList(mine.values()), false));
-        group.resize(values.more() ? nCopies(groupi) : 0);
-        for (label copyi = 0; copyi < group.size(); ++copyi)
-        {
-            group.exchange(copyi, values);
-        }
-        group.sort();
+        gatherCopies(groupi, false, all.groups()[groupi]);
     }
     all.renumber();
     return all;

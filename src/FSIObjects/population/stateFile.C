@@ -203,18 +203,17 @@ bool Foam::fsi::stateFile::exists(const IOobject& io)
 }
 
 
-Foam::dictionary Foam::fsi::stateFile::read(const IOobject& io)
+Foam::dictionary Foam::fsi::stateFile::readOnFirst(const IOobject& io)
 {
     const fileName found(foundPath(io));
-    const fileName file
-    (
-        ofFirstRank(found.empty() ? fileName(pathOf(io)) : found)
-    );
-    dictionary all;
-    if (rankIn() == 0)
-    {
-        all = readHere(io, file);
-    }
+    const fileName file(found.empty() ? fileName(pathOf(io)) : found);
+    return rankIn() == 0 ? readHere(io, file) : dictionary();
+}
+
+
+Foam::dictionary Foam::fsi::stateFile::read(const IOobject& io)
+{
+    dictionary all(readOnFirst(io));
     if (nRanksIn() == 1)
     {
         return all;
@@ -222,7 +221,7 @@ Foam::dictionary Foam::fsi::stateFile::read(const IOobject& io)
 
     // Entry by entry: a message has less than 2 GiB
     dictionary dict;
-    dict.name() = file;
+    dict.name() = ofFirstRank(fileName(all.name()));
     const wordList keys(ofFirstRank(all.toc()));
     for (const word& key : keys)
     {

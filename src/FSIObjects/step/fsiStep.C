@@ -42,10 +42,6 @@ Foam::autoPtr<Foam::fsi::fsiStep> Foam::fsi::fsiStep::New
 {
     const dictionary& dict = objects.properties().subOrEmptyDict("coupling");
     const word type(dict.lookupOrDefault<word>("type", "solidImplicit"));
-    if (type == "solidImplicit" || type == "none")
-    {
-        objects.share();
-    }
     autoPtr<fsiStep> step
     (
         constructorOf

@@ -82,7 +82,7 @@ Foam::fsi::forcedObjects::forcedObjects
 :
     mesh_(withoutObjects(mesh, dict)),
     velocityName_(stockField<volVectorField>(mesh, dict, "U")),
-    objects_(mesh, stockViscosity(mesh)),
+    objects_(mesh, stockViscosity(mesh), true),
     step_
     (
         objects_,

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """No message of a step has a size that grows with the number of all objects:
 two ranks with the same objects at the cut between them and four times as many
-elsewhere send messages of the same sizes.
+elsewhere send messages of the same sizes. At the start the first rank reads the
+state of all objects and sends each other rank what that one owns.
 
     messages.py FOLDER
 """
@@ -12,6 +13,7 @@ import sys
 
 import countMessages
 import fsiCase
+import results
 
 # Cells and objects to a unit of length
 CELLS = 48
@@ -19,6 +21,9 @@ OBJECTS = 4
 
 # Steps at the start that are not counted
 WARM_UP = 2
+
+# Bytes of other messages at the start: the shape, the mesh
+START = 1e5
 
 SOLVERS = """solvers
 {
@@ -53,14 +58,18 @@ def build(path, length):
     return case
 
 
-def sizes(folder, length):
+def sizes(report, folder, length):
     """Largest message from rank to rank, largest collective one, and bytes of
     a message on average, in bytes."""
     case = build(os.path.join(folder, str(length)), length)
-    rows = [row
-            for rank in countMessages.counted(case, 2,
-                                              countMessages.library(folder))
-            for row in rank[1 + WARM_UP:]]
+    ranks = countMessages.counted(case, 2, countMessages.library(folder))
+    # 8 bytes for each number of all objects; one of two ranks gets half
+    state = os.path.join(case.path, "processor0/0/uniform/fsiObjects/disc")
+    numbers = len(results.read(state).split())
+    sent = ranks[0][0]["bytes"]
+    report.check("the first rank sends the state of an object to its owner",
+                 sent < 8*numbers + START, f"{sent:.0f}, {8*numbers} B")
+    rows = [row for rank in ranks for row in rank[1 + WARM_UP:]]
     largest = max(row["largest"] for row in rows)
     collective = max(row["largestCollective"] for row in rows)
     mean = sum(row["bytes"] for row in rows)/sum(row["messages"]
@@ -72,7 +81,7 @@ def sizes(folder, length):
 
 def compare(report, folder):
     """Box and longer box."""
-    few, many = sizes(folder, 2), sizes(folder, 8)
+    few, many = sizes(report, folder, 2), sizes(report, folder, 8)
     for name, short, long in zip(("largest message", "largest collective one",
                                   "mean message"), few, many):
         report.check(f"the {name} does not grow", 0 < long < 1.1*short,

@@ -15,8 +15,8 @@ using namespace Foam::fsi;
 namespace
 {
 
-//- Discs of a shape of someObjects in a row, one step of 2 apart, of which each
-//  has an owner if there are several ranks
+//- Discs of a shape of someObjects in a row, read from files. Each has an owner
+//  if there are several ranks, and a step of second order behind it
 struct discRow
 {
     boxMesh box;
@@ -37,10 +37,18 @@ struct discRow
                 0, point(1.5 + 3*i, 6, 0), tensor::I, vector::zero, vector::zero
             );
         }
-        if (severalRanks())
+        bodyGroup& group = objects->groups()[0];
+        group.begin(0, 0.1, 1);
+        group.move(0.1, group.velocities());
+        for (label copyi = 0; copyi < group.size(); ++copyi)
         {
-            objects->share(grid, distance);
+            group.contactRange(copyi) = group.objectIds()[copyi] + 0.25;
         }
+        objects->writeShapes();
+        objects->write();
+        overRanks(label(1), sumOp<label>());
+        objects.reset(new population(box.time(), grid));
+        objects->share(distance);
     }
 
     //- Ids of all owned objects, sorted
@@ -85,6 +93,29 @@ TEST(objectRanks, eachObjectHasOneOwnerThatHoldsItsCentre)
         row.objects->findObject(ids[7]) >= 0,
         rankIn() == nRanksIn() - 1
     );
+}
+
+
+TEST(objectRanks, readsForEachRankItsOwnObjects)
+{
+    discRow row(1);
+    population& objects = *row.objects;
+    for (const label nOwned : {objects.size(), label(8)})
+    {
+        const bodyGroup& group = objects.groups()[0];
+        EXPECT_EQ(objects.size(), nOwned);
+        EXPECT_EQ(group.positions().cols(), 2*nOwned);
+        EXPECT_TRUE(group.history());
+        for (label copyi = 0; copyi < group.size(); ++copyi)
+        {
+            const label id = group.objectIds()[copyi];
+            EXPECT_EQ(objects.groups()[0].contactRange(copyi), id + 0.25);
+            EXPECT_NEAR(group.centroid(copyi).x(), 1.5 + 3*(id - 5), 1e-12);
+        }
+        EXPECT_EQ(nOwned < 8, severalRanks() && objects.ranks().nRanks() > 0);
+        objects.holdAll();
+    }
+    EXPECT_EQ(objects.groups()[0].objectIds(), identityList(8, 5));
 }
 
 

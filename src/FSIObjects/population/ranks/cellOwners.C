@@ -7,6 +7,10 @@
 
 bool Foam::fsi::cellOwners::here(point p) const
 {
+    if (!grid_)
+    {
+        return rankIn() == 0;
+    }
     const boundBox box(grid_->bounds());
     const scalar half = 0.5*grid_->spacing();
     for (direction d = 0; d < grid_->nDims(); ++d)
