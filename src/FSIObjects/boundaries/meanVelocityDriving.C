@@ -165,11 +165,11 @@ void Foam::fsi::meanVelocityDriving::update
 )
 {
     const scalarField& V = mesh_.V();
-    const scalar volume = overRanks(sum(V), sumOp<scalar>());
-    const vector velocity
-    (
-        overRanks(sum(V*U.primitiveField()), sumOp<vector>())
-    );
+    scalarField volumes(1, sum(V));
+    vectorField velocities(1, sum(V*U.primitiveField()));
+    sumOverRanks(velocities, volumes);
+    const scalar volume = volumes[0];
+    const vector velocity(velocities[0]);
     const vector more(moreMomentum(objects, density));
     const scalar response = meanResponse(objects, density, volume);
     const Time& time = mesh_.time();

@@ -15,19 +15,18 @@ Foam::vector Foam::fsi::meanFluidVelocity
 )
 {
     const scalarField& V = U.mesh().V();
-    scalar volume = 0;
-    vector sum(Zero);
+    vectorField sum(1, Zero);
+    scalarField volume(1, Zero);
     forAll(halo, celli)
     {
         if (levelSet.cellDistance()[halo[celli]] > 0)
         {
-            volume += V[celli];
-            sum += V[celli]*U[celli];
+            volume[0] += V[celli];
+            sum[0] += V[celli]*U[celli];
         }
     }
-    sum = overRanks(sum, sumOp<vector>());
-    volume = overRanks(volume, sumOp<scalar>());
-    return sum/max(volume, VSMALL);
+    sumOverRanks(sum, volume);
+    return sum[0]/max(volume[0], VSMALL);
 }
 
 
