@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Weak scaling: each rank has 256^2 cells with 100 discs on 40 % of them, or
-48^3 cells with 12 spheres, on more and more ranks.
+48^3 cells with 12 spheres, on more and more ranks. With -strong, boxes of
+several such parts on one rank and on two.
 
-    weakScaling.py FOLDER RESULTS [-ranks N] [-steps N]
+    weakScaling.py FOLDER RESULTS [-ranks N] [-steps N] [-strong]
 
 The machine may have fewer cores than ranks: what counts is processor time
 outside of MPI, memory, messages and bytes of each rank and step, see
 countMessages.py. All sides are periodic, so that a rank has
 the same neighbours however many there are. FOLDER holds the cases; the tables
-ranks2D.csv and ranks3D.csv go to RESULTS.
+ranks2D.csv and ranks3D.csv, or strong2D.csv and strong3D.csv, go to RESULTS.
 """
 
 import argparse
@@ -35,6 +36,9 @@ PISO { nCorrectors 1; }
 # Ranks in each direction
 PARTS = {2: ((1, 1), (2, 1), (2, 2), (4, 2), (4, 4)),
          3: ((1, 1, 1), (2, 1, 1), (2, 2, 1), (2, 2, 2))}
+
+# Boxes that are put on one rank and on two: parts in each direction
+STRONG = {2: ((3, 3), (10, 10)), 3: ((2, 2, 2),)}
 
 # Cells of a rank in each direction, and objects
 LOAD = {2: (256, 100), 3: (48, 12)}
@@ -79,7 +83,7 @@ def build(path, parts, steps):
                    f"{number*math.prod(parts)}; minimumGap {h}; wallGap {h}; "
                    "}",
         deltaT=0.25*h, endTime=0.25*h*(steps + 0.5), timePrecision=10,
-        libs='("libFastPoisson.so")')
+        writeFormat="binary", libs='("libFastPoisson.so")')
     case.file("system/fvSolution", FAST)
     return case.set_up()
 
@@ -91,7 +95,7 @@ def measured(parts, rows, iterations):
     width, number = LOAD[n_dims]
     found = {"ranks": len(rows),
              "cells": " x ".join(str(width*n) for n in parts),
-             "objects": number*len(rows), "p iterations": iterations}
+             "objects": number*math.prod(parts), "p iterations": iterations}
     for column, name in COLUMNS.items():
         # The first row is the start
         values = [statistics.median(step[column]
@@ -105,30 +109,40 @@ def measured(parts, rows, iterations):
     return found
 
 
+def run(case, parts, ranks, first, options):
+    """A row of the table, with ratios to the first one if there is one."""
+    if math.prod(ranks) > 1:
+        case.decompose(*ranks)
+    counts = countMessages.counted(
+        case, math.prod(ranks), countMessages.library(options.folder))
+    iterations = statistics.median(
+        int(n) for n in re.findall(
+            r"(?m)^Time = .* p (\d+)",
+            results.read(case.path, "log.fsiPisoFoam"))[WARM_UP:])
+    row = measured(parts, counts, iterations)
+    for name in OF_ONE:
+        row[name + ", of one"] = row[name]/(first or row)[name]
+    print("; ".join(f"{k} {v:.4g}" if isinstance(v, float) else f"{k} {v}"
+                    for k, v in row.items()), flush=True)
+    shutil.rmtree(os.path.join(case.path, "counts"))
+    return row
+
+
 def table(n_dims, options):
-    """All rows of a table, with ratios to the first."""
+    """All rows of a table."""
     rows = []
-    for parts in PARTS[n_dims]:
-        ranks = math.prod(parts)
-        if ranks > options.ranks:
+    for parts in (STRONG if options.strong else PARTS)[n_dims]:
+        if not options.strong and math.prod(parts) > options.ranks:
             continue
-        path = os.path.join(options.folder, f"ranks{n_dims}D-{ranks}")
-        case = build(path, parts, options.steps)
-        if ranks > 1:
-            case.decompose(*parts)
-        counts = countMessages.counted(
-            case, ranks, countMessages.library(options.folder))
-        iterations = statistics.median(
-            int(n) for n in re.findall(
-                r"(?m)^Time = .* p (\d+)",
-                results.read(path, "log.fsiPisoFoam"))[WARM_UP:])
-        row = measured(parts, counts, iterations)
-        for name in OF_ONE:
-            row[name + ", of one"] = row[name]/(rows or [row])[0][name]
-        rows.append(row)
-        print("; ".join(f"{k} {v:.4g}" if isinstance(v, float) else f"{k} {v}"
-                        for k, v in row.items()), flush=True)
-        shutil.rmtree(path)
+        case = build(os.path.join(options.folder, f"ranks{n_dims}D"), parts,
+                     options.steps)
+        if options.strong:
+            one = run(case, parts, (1,)*n_dims, None, options)
+            two = run(case, parts, (2,) + (1,)*(n_dims - 1), one, options)
+            rows += [one, two]
+        else:
+            rows.append(run(case, parts, parts, (rows or [None])[0], options))
+        shutil.rmtree(case.path)
     return rows
 
 
@@ -140,10 +154,12 @@ def main():
     parser.add_argument("-ranks", type=int, default=16)
     parser.add_argument("-steps", type=int, default=10)
     parser.add_argument("-dimensions", type=int, nargs="+", default=(2, 3))
+    parser.add_argument("-strong", action="store_true")
     options = parser.parse_args()
+    name = "strong" if options.strong else "ranks"
     for n_dims in options.dimensions:
         rows = table(n_dims, options)
-        path = os.path.join(options.results, f"ranks{n_dims}D.csv")
+        path = os.path.join(options.results, f"{name}{n_dims}D.csv")
         with open(path, "w", encoding="ascii", newline="") as stream:
             writer = csv.DictWriter(stream, list(rows[0]))
             writer.writeheader()
