@@ -22,6 +22,7 @@ import fixedWalls
 import lubrication
 import migration
 import oscillatingSphere
+import resistances
 import rigidStiff
 import settlingSphere
 import shearBox
@@ -32,7 +33,7 @@ import timeStep
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
-           rigidStiff, oscillatingSphere, suspension)
+           rigidStiff, oscillatingSphere, resistances, suspension)
 
 
 def collected(name):
