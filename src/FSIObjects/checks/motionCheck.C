@@ -136,11 +136,26 @@ void Foam::fsi::motionCheck::checkPrescribed(const vector& period) const
 }
 
 
-void Foam::fsi::motionCheck::checkOverlaps(const vector& period) const
+void Foam::fsi::motionCheck::checkOverlaps
+(
+    const vector& period,
+    const bool membranes
+) const
 {
     const surfaceSet& surfaces = objects_.surfaces();
+    const auto counts = [&](const label a, const label b)
+    {
+        return
+            (objects_.movesFreely(a) || objects_.movesFreely(b))
+         && !(membranes && surfaces.hasWalls(a) && surfaces.hasWalls(b));
+    };
+    bool wanted = !membranes;
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        wanted = wanted || !surfaces.hasWalls(objecti);
+    }
     DynamicList<label> sound;
-    for (label objecti = 0; objecti < objects_.nHeld(); ++objecti)
+    for (label objecti = 0; wanted && objecti < objects_.nHeld(); ++objecti)
     {
         if (!surfacePredicates::cutsItself(surfaces, objecti))
         {
@@ -153,11 +168,7 @@ void Foam::fsi::motionCheck::checkOverlaps(const vector& period) const
       : surfacePredicates::overlapping(surfaces, sound, period)
     )
     {
-        if
-        (
-            objects_.movesFreely(pair.first())
-         || objects_.movesFreely(pair.second())
-        )
+        if (counts(pair.first(), pair.second()))
         {
             FatalErrorInFunction
                 << "Objects " << namesOf(pair).c_str()

@@ -136,10 +136,10 @@ Foam::fsi::fsiObjects::fsiObjects
     renew();
     seedRecord::check(bodies_, mesh.time(), sides_, grid_.spacing());
     checkMotion();
-    if (!contact_.letsOverlap())
-    {
-        motionCheck(bodies_, mesh.time()).checkOverlaps(sides_.period());
-    }
+    motionCheck(bodies_, mesh.time()).checkOverlaps
+    (
+        sides_.period(), contact_.letsOverlap()
+    );
 }
 
 

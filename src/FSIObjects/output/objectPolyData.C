@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectPolyData.H"
-#include "membraneTriangle.H"
+#include "faceStretches.H"
 #include "outlineLoop.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -42,11 +42,11 @@ static void setShapeNames(polyData& data, const population& objects)
 }
 
 
-//- Set the larger stretch of the triangles of membranes inside the fluid
-static void setStretches(polyData& data, const population& objects)
+//- Set the larger stretch and tension of the triangles of membranes inside the
+//  fluid
+static void setTensions(polyData& data, const population& objects)
 {
     const surfaceSet& surfaces = objects.surfaces();
-    const pointField& x = surfaces.points();
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
         if (surfaces.hasWalls(objecti))
@@ -54,18 +54,19 @@ static void setStretches(polyData& data, const population& objects)
             continue;
         }
         scalarField& stretch = data.cellScalars("stretch");
+        scalarField& tension = data.cellScalars("tension");
         stretch.resize(surfaces.faces().size(), 1);
+        tension.resize(surfaces.faces().size(), 0);
         const shapeTemplate& shape =
             objects.shape(objects.objectGroup(objecti));
+        const membraneLaw& law = *shape.sheet()->law;
+        const faceStretches own(objects, objecti);
+        const scalarField perModulus(law.tensions(own.larger, own.smaller));
         const label start = surfaces.faceStart()[objecti];
-        forAll(shape.faces(), i)
+        forAll(perModulus, i)
         {
-            const surfaceFace& f = surfaces.faces()[start + i];
-            stretch[start + i] =
-                membraneTriangle(shape.faces()[i], shape.points()).stretch
-                (
-                    x[f[0]], x[f[1]], x[f[2]]
-                );
+            stretch[start + i] = own.larger[i];
+            tension[start + i] = law.modulus()*perModulus[i];
         }
     }
 }
@@ -147,7 +148,7 @@ Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
             data.cells[celli] = labelList(surfaces.faces()[celli]);
         }
     }
-    setStretches(data, objects);
+    setTensions(data, objects);
     return data;
 }
 

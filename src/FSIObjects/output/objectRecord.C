@@ -2,6 +2,7 @@
 
 #include "objectRecord.H"
 #include "csvTable.H"
+#include "faceStretches.H"
 #include "population.H"
 #include "surfaceMoments.H"
 
@@ -36,18 +37,49 @@ Foam::fsi::objectRecord::sample(const population& objects)
         r.shortAxis = m.shortAxis(surfaces.nDims());
         r.deformation = m.deformation(surfaces.nDims());
         r.flowAngle = std::acos(min(r.longAxis.x(), scalar(1)));
+        const symmTensor& M = m.moments();
+        r.inclination = 0.5*std::atan2(2*M.xy(), M.xx() - M.yy());
         if (surfaces.nDims() == 2)
         {
-            const symmTensor& M = m.moments();
             const vector first
             (
                 surfaces.points()[surfaces.pointStart()[objecti]] - r.centroid
             );
-            r.inclination = 0.5*std::atan2(2*M.xy(), M.xx() - M.yy());
             r.phase = std::atan2(first.y(), first.x());
+        }
+        else
+        {
+            r.setSolid(objects, objecti);
         }
     }
     return records;
+}
+
+
+void Foam::fsi::objectRecord::setSolid
+(
+    const population& objects,
+    const label objecti
+)
+{
+    // The node most in the direction (1 1 1) at rest: it is far from all axes
+    const shapeTemplate& rest = objects.shape(objects.objectGroup(objecti));
+    label marked = 0;
+    for (label nodei = 1; nodei < rest.nBoundaryNodes(); ++nodei)
+    {
+        const vector& best = rest.points()[marked];
+        marked = cmptSum(rest.points()[nodei]) > cmptSum(best) ? nodei : marked;
+    }
+    const surfaceSet& surfaces = objects.surfaces();
+    const label first = surfaces.pointStart()[objecti];
+    const vector d(surfaces.points()[first + marked] - centroid);
+    phases = vector
+    (
+        std::atan2(d.z(), d.y()),
+        std::atan2(d.x(), d.z()),
+        std::atan2(d.y(), d.x())
+    );
+    stretch = max(faceStretches(objects, objecti).larger);
 }
 
 
@@ -60,7 +92,7 @@ void Foam::fsi::objectRecord::exchange(copyValues& values)
         scalar* each :
         {
             &area, &perimeter, &inclination, &phase, &deformation, &flowAngle,
-            &smallestGap
+            &smallestGap, &stretch
         }
     )
     {
@@ -71,7 +103,7 @@ void Foam::fsi::objectRecord::exchange(copyValues& values)
         vector* each :
         {
             &centroid, &velocity, &angularVelocity, &halfAxes, &longAxis,
-            &shortAxis, &force, &torque
+            &shortAxis, &force, &torque, &phases
         }
     )
     {
@@ -154,7 +186,8 @@ Foam::wordList Foam::fsi::objectRecord::columns(const direction nDims)
             ({
                 "flowAngle", "halfAxisA", "halfAxisB", "halfAxisC",
                 "longAxisX", "longAxisY", "longAxisZ",
-                "shortAxisX", "shortAxisY", "shortAxisZ"
+                "shortAxisX", "shortAxisY", "shortAxisZ",
+                "inclination", "phaseX", "phaseY", "phaseZ", "stretch"
             })
         );
     }
@@ -180,7 +213,8 @@ void Foam::fsi::objectRecord::write
     row << force << contacts << smallestGap << torque << deformation;
     if (nDims == 3)
     {
-        row << flowAngle << halfAxes << longAxis << shortAxis;
+        row << flowAngle << halfAxes << longAxis << shortAxis
+            << inclination << phases << stretch;
     }
 }
 

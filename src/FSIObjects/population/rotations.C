@@ -90,6 +90,15 @@ Foam::tensor Foam::fsi::rotationAbout
 }
 
 
+Foam::tensor Foam::fsi::rotationXYZ(const vector& degrees)
+{
+    return
+        rotationAbout(vector(0, 0, 1), degrees.z())
+      & rotationAbout(vector(0, 1, 0), degrees.y())
+      & rotationAbout(vector(1, 0, 0), degrees.x());
+}
+
+
 Foam::tensor Foam::fsi::rotationOf(const scalar w, const vector& xyz)
 {
     const scalar length = sqrt(sqr(w) + magSqr(xyz));

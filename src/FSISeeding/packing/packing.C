@@ -36,10 +36,12 @@ Foam::fsi::packing::ball Foam::fsi::packing::ballOf
 ) const
 {
     const closedSurface& shape = shapes_[object.shape];
-    const point centre((object.rotation & shape.centroid()) + object.centre);
-    const scalar r = (1 + 1e-9)*shape.outerRadius();
-    const vector reach(r, r, r);
-    return {centre, object.shape, boundBox(centre - reach, centre + reach)};
+    const scalar scale = object.scale;
+    const vector offset(scale*(object.rotation & shape.centroid()));
+    const point centre(offset + object.centre);
+    const scalar r = (1 + 1e-9)*scale*shape.outerRadius();
+    const boundBox box(centre - vector(r, r, r), centre + vector(r, r, r));
+    return {centre, object.shape, scale, box};
 }
 
 
@@ -75,7 +77,8 @@ Foam::label Foam::fsi::packing::findConflict
         apart.z() = nDims() == 2 ? 0 : apart.z();
         const auto known = closedSurface::fromBalls
         (
-            shapes_[object.shape], shapes_[other.shape], mag(apart), gap
+            shapes_[object.shape], shapes_[other.shape], mag(apart), gap,
+            candidate.scale, other.scale
         );
         if (known == closedSurface::UNKNOWN && surface.points().empty())
         {
@@ -112,7 +115,8 @@ Foam::fsi::packing::packing
     const List<closedSurface>& shapes,
     const vector& period,
     const boolList& attached,
-    const pointField& places
+    const pointField& places,
+    const boolList& immersed
 )
 :
     domain_(domain),
@@ -121,6 +125,7 @@ Foam::fsi::packing::packing
     shapes_(shapes),
     period_(period),
     attached_(attached),
+    immersed_(immersed),
     places_(places),
     shifts_(1, Zero),
     occupied_(nullBox()),
@@ -160,7 +165,10 @@ Foam::fsi::closedSurface Foam::fsi::packing::placed
     const placedObject& object
 ) const
 {
-    return shapes_[object.shape].moved(object.rotation, object.centre);
+    return shapes_[object.shape].moved
+    (
+        object.rotation, object.centre, object.scale
+    );
 }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "csvPlacement.H"
+#include "dictionaryCheck.H"
 #include "errorOf.H"
 #include "openfoamVersion.H"
 #include "OStringStream.H"
@@ -40,6 +41,7 @@ void Foam::fsi::csvPlacement::checkColumns
             ({
                 "axisX", "axisY", "axisZ", "angle",
                 "quaternionW", "quaternionX", "quaternionY", "quaternionZ",
+                "eulerX", "eulerY", "eulerZ",
                 "angularVelocityX", "angularVelocityY"
             })
         );
@@ -80,11 +82,12 @@ void Foam::fsi::csvPlacement::checkRotations
     const valueTable& table
 )
 {
-    const wordList sets[3] =
+    const wordList sets[4] =
     {
         {"rotation"},
         {"axisX", "axisY", "axisZ", "angle"},
-        {"quaternionW", "quaternionX", "quaternionY", "quaternionZ"}
+        {"quaternionW", "quaternionX", "quaternionY", "quaternionZ"},
+        {"eulerX", "eulerY", "eulerZ"}
     };
     label nRotations = 0;
     for (const wordList& set : sets)
@@ -135,7 +138,9 @@ Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
     }
     const point centre
     (
-        values.value("x", 0), values.value("y", 0), values.value("z", 0)
+        scale_*values.value("x", 0),
+        scale_*values.value("y", 0),
+        scale_*values.value("z", 0)
     );
     const caughtError error = errorOf([&]() { checkedCentre(centre, space); });
     if (error.message.size())
@@ -153,6 +158,39 @@ Foam::fsi::placedObject Foam::fsi::csvPlacement::readObject
 }
 
 
+Foam::wordList Foam::fsi::csvPlacement::givenColumns() const
+{
+    return
+        hemoCell_
+      ? wordList({"x", "y", "z", "eulerX", "eulerY", "eulerZ"})
+      : wordList();
+}
+
+
+void Foam::fsi::csvPlacement::insertFitting
+(
+    packing& space,
+    const UList<placedObject>& objects
+) const
+{
+    label nLeft = 0;
+    for (const placedObject& object : objects)
+    {
+        const bool fits =
+            space.inDomain(object, space.placed(object), wallGap())
+         && space.findConflict(object, minimumGap()) < 0;
+        nLeft += !fits;
+        if (fits)
+        {
+            space.insert(object);
+        }
+    }
+    Info<< "Left out " << nLeft << " of the " << objects.size()
+        << " objects of placement " << name()
+        << ": they are not in the domain or too near to others" << endl;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::csvPlacement::csvPlacement
@@ -162,8 +200,15 @@ Foam::fsi::csvPlacement::csvPlacement
     const packing& space
 )
 :
-    placement(name, dict, space, {"file"}, 0, 0),
-    file_(dict, "file")
+    placement(name, dict, space, {"file", "scale", "misfits"}, 0, 0),
+    file_(dict, "file"),
+    hemoCell_(nDims() == 3 && file_.name().ext() == "pos"),
+    scale_(readPositive(dict, "scale", hemoCell_ ? 1e-6 : 1)),
+    leavesOut_
+    (
+        readChoice(dict, "misfits", "refuse", {"refuse", "leaveOut"})
+     == "leaveOut"
+    )
 {}
 
 
@@ -171,7 +216,7 @@ Foam::fsi::csvPlacement::csvPlacement
 
 void Foam::fsi::csvPlacement::place(packing& space)
 {
-    const valueTable table(file_);
+    const valueTable table(file_, givenColumns());
     checkColumns(table);
     if (table.size() == 0)
     {
@@ -182,7 +227,9 @@ void Foam::fsi::csvPlacement::place(packing& space)
     {
         objects.append(readObject(space, csvRow(table, i)));
     }
-    insertAll(space, objects, "file", file_.name());
+    leavesOut_
+  ? insertFitting(space, objects)
+  : insertAll(space, objects, "file", file_.name());
 }
 
 

@@ -41,6 +41,10 @@ Foam::tensor Foam::fsi::csvRow::rotation() const
         }
         return rotationOf(w, v);
     }
+    if (has("eulerX"))
+    {
+        return rotationXYZ(triple("euler", Zero));
+    }
     return rotationAboutZ(value("rotation", 0));
 }
 

@@ -2,6 +2,8 @@
 
 #include "packedPlacement.H"
 #include "addToRunTimeSelectionTable.H"
+#include "dictionaryCheck.H"
+#include "OStringStream.H"
 #include "packedLattice.H"
 #include "readBetween.H"
 #include "rotations.H"
@@ -19,6 +21,9 @@ namespace fsi
     //  lattice has no room for, and the sweeps without success after which
     //  the space counts as full
     static const label attempts = 1000, patience = 50;
+
+    //- Size at first of objects that grow, over their own
+    static const scalar firstScale = 0.5;
 }
 }
 
@@ -77,15 +82,17 @@ bool Foam::fsi::packedPlacement::tryMove
     const boundBox& container,
     const label objecti,
     const vector& displacement,
-    const tensor& turn
+    const tensor& turn,
+    const scalar growth
 )
 {
     placedObject object = space[objecti];
-    object.centre += displacement;
+    object.centre = wrapped(space, object.centre + displacement);
     object.rotation = turn & object.rotation;
+    object.scale = min(growth*object.scale, scalar(1));
     if
     (
-        !space.inside(object, container)
+        !held(space, container, object)
      || space.findConflict(object, minimumGap(), objecti) >= 0
     )
     {
@@ -106,15 +113,12 @@ Foam::label Foam::fsi::packedPlacement::addBetween
     label added = 0;
     for (label i = 0; i < attempts && added < number; ++i)
     {
-        point centre(container.min());
-        for (direction d = 0; d < nDims(); ++d)
-        {
-            centre[d] += container.span()[d]*random().sample01<scalar>();
-        }
-        const placedObject object(newObject(shape(), centre, randomRotation()));
+        const point centre(randomCentre(space, container));
+        placedObject object(newObject(shape(), centre, randomRotation()));
+        object.scale = grows_ ? firstScale : 1;
         if
         (
-            space.inside(object, container)
+            held(space, container, object)
          && space.findConflict(object, minimumGap()) < 0
         )
         {
@@ -123,6 +127,49 @@ Foam::label Foam::fsi::packedPlacement::addBetween
         }
     }
     return added;
+}
+
+
+void Foam::fsi::packedPlacement::sweep
+(
+    packing& space,
+    const boundBox& container,
+    const label first,
+    moveSizes& sizes
+)
+{
+    label moved = 0, turned = 0, grown = 0, growing = 0;
+    scalar mean = 0;
+    for (label objecti = first; objecti < space.size(); ++objecti)
+    {
+        mean += space[objecti].scale/(space.size() - first);
+    }
+    for (label objecti = first; objecti < space.size(); ++objecti)
+    {
+        const auto attempt = [&](const vector& d, const tensor& t, scalar g)
+        {
+            return tryMove(space, container, objecti, d, t, g);
+        };
+        moved += attempt(sizes.step*randomInBall(), tensor::I, 1);
+        const scalar degrees =
+            sizes.angle*(2*random().sample01<scalar>() - 1);
+        turned += attempt(Zero, randomTurn(random(), nDims(), degrees), 1);
+        if (space[objecti].scale < min(1.05*mean, scalar(1)))
+        {
+            ++growing;
+            grown += attempt(Zero, tensor::I, 1 + sizes.growth);
+        }
+    }
+
+    // Smaller after few, larger after many successes
+    const auto adapt = [](scalar& size, label successes, scalar n, scalar most)
+    {
+        size = min(size*(successes > 0.4*n ? 1.1 : 0.9), most);
+    };
+    const label n = space.size() - first;
+    adapt(sizes.step, moved, n, mag(container.span()));
+    adapt(sizes.angle, turned, n, 180);
+    adapt(sizes.growth, grown, 0.4*growing, 0.5);
 }
 
 
@@ -135,41 +182,41 @@ void Foam::fsi::packedPlacement::shake
 )
 {
     label n = space.size() - first, lastAdded = 0;
-    scalar step = mag(space.shape(shape()).bounds().span());
-    scalar angle = 90;
-    const scalar largestStep = mag(container.span());
-
-    // Smaller after few, larger after many successes
-    const auto adapt = [&n](scalar& size, const label successes, scalar largest)
-    {
-        size = min(size*(successes > 0.4*n ? 1.1 : 0.9), largest);
-    };
-
-    for (label sweep = 0; sweep < sweeps_; ++sweep)
+    moveSizes sizes;
+    sizes.step = mag(space.shape(shape()).bounds().span());
+    for (label sweepi = 0; sweepi < sweeps_; ++sweepi)
     {
         if (n < number)
         {
             const label added = addBetween(space, container, number - n);
             n += added;
-            lastAdded = added ? sweep : lastAdded;
-            if (sweep > lastAdded + patience)
+            lastAdded = added ? sweepi : lastAdded;
+            if (sweepi > lastAdded + patience)
             {
                 return;
             }
         }
-        label moved = 0, turned = 0;
-        for (label objecti = first; objecti < space.size(); ++objecti)
+        sweep(space, container, first, sizes);
+        if (grows_ && nFull(space, first) == number)
         {
-            const vector displacement = step*randomInBall();
-            moved +=
-                tryMove(space, container, objecti, displacement, tensor::I);
-            const scalar degrees = angle*(2*random().sample01<scalar>() - 1);
-            const tensor turn = randomTurn(random(), nDims(), degrees);
-            turned += tryMove(space, container, objecti, Zero, turn);
+            return;
         }
-        adapt(step, moved, largestStep);
-        adapt(angle, turned, 180);
     }
+}
+
+
+Foam::label Foam::fsi::packedPlacement::nFull
+(
+    const packing& space,
+    const label first
+) const
+{
+    label number = 0;
+    for (label objecti = first; objecti < space.size(); ++objecti)
+    {
+        number += space[objecti].scale >= 1;
+    }
+    return number;
 }
 
 
@@ -182,8 +229,12 @@ Foam::fsi::packedPlacement::packedPlacement
     const packing& space
 )
 :
-    soughtPlacement(name, dict, space, {"sweeps"}),
-    sweeps_(readBetween(dict, "sweeps", 500, 0, 1000000))
+    soughtPlacement(name, dict, space, {"sweeps", "start"}),
+    sweeps_(readBetween(dict, "sweeps", 500, 0, 1000000)),
+    grows_
+    (
+        readChoice(dict, "start", "lattice", {"lattice", "small"}) == "small"
+    )
 {}
 
 
@@ -198,8 +249,12 @@ void Foam::fsi::packedPlacement::place(packing& space)
         return;
     }
 
-    pointField centres = bestSites(space, container);
-    thin(centres, min(number, centres.size()));
+    pointField centres;
+    if (!grows_)
+    {
+        centres = bestSites(space, container);
+        thin(centres, min(number, centres.size()));
+    }
 
     const label first = space.size();
     for (const point& centre : centres)
@@ -207,9 +262,15 @@ void Foam::fsi::packedPlacement::place(packing& space)
         space.insert(newObject(shape(), centre, rotation()));
     }
     shake(space, container, first, number);
-    if (space.size() < first + number)
+    const label found = nFull(space, first);
+    if (found < number)
     {
-        lackRoom(space, number, space.size() - first, "");
+        OStringStream os;
+        if (grows_)
+        {
+            os  << " of full size after " << sweeps_ << " sweeps (sweeps)";
+        }
+        lackRoom(space, number, found, os.str());
     }
 }
 

@@ -28,17 +28,12 @@ bool Foam::fsi::randomPlacement::findPlace
 )
 {
     nConflicts = 0;
-    const vector span = container.span();
     for (label i = 0; i < maxAttempts_; ++i)
     {
-        object.centre = container.min();
-        for (direction d = 0; d < nDims(); ++d)
-        {
-            object.centre[d] += span[d]*random().sample01<scalar>();
-        }
+        object.centre = randomCentre(space, container);
         object.rotation = randomRotation_ ? randomRotation() : rotation();
 
-        if (space.inside(object, container))
+        if (held(space, container, object))
         {
             if (space.findConflict(object, minimumGap()) < 0)
             {

@@ -3,6 +3,7 @@
 #include "soughtPlacement.H"
 #include "dictionaryCheck.H"
 #include "rotations.H"
+#include "Switch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -14,7 +15,7 @@ namespace fsi
 //- The keys of sought placements and some more
 static wordList withSoughtKeys(const wordList& ownKeys, const word& fraction)
 {
-    wordList keys({"number", fraction, "rotation"});
+    wordList keys({"number", fraction, "rotation", "acrossCyclic"});
     keys.append(ownKeys);
     return keys;
 }
@@ -40,6 +41,95 @@ Foam::boundBox Foam::fsi::soughtPlacement::readContainer
         max(region().min(), space.domain().min() + gap),
         min(region().max(), space.domain().max() - gap)
     );
+}
+
+
+Foam::scalar Foam::fsi::soughtPlacement::defaultGap
+(
+    const dictionary& dict,
+    const packing& space
+)
+{
+    const label shapei = indexOf
+    (
+        space.shapeNames(), dict.lookupOrDefault<word>("shape", "")
+    );
+    return
+        space.spacing()
+       *(shapei >= 0 && space.immersed(shapei) ? packing::membraneGap : 3);
+}
+
+
+bool Foam::fsi::soughtPlacement::across
+(
+    const packing& space,
+    const direction d
+) const
+{
+    const boundBox& domain = space.domain();
+    return
+        acrossCyclic_ && d < nDims() && space.period()[d] > 0
+     && region().min()[d] <= domain.min()[d]
+     && region().max()[d] >= domain.max()[d];
+}
+
+
+bool Foam::fsi::soughtPlacement::held
+(
+    const packing& space,
+    const boundBox& container,
+    const placedObject& object
+) const
+{
+    boundBox box(container);
+    for (direction d = 0; d < nDims(); ++d)
+    {
+        if (across(space, d))
+        {
+            box.min()[d] = -GREAT;
+            box.max()[d] = GREAT;
+        }
+    }
+    return space.inside(object, box);
+}
+
+
+Foam::point Foam::fsi::soughtPlacement::wrapped
+(
+    const packing& space,
+    point centre
+) const
+{
+    const boundBox& domain = space.domain();
+    for (direction d = 0; d < nDims(); ++d)
+    {
+        if (across(space, d))
+        {
+            const scalar period = space.period()[d];
+            const scalar place = (centre[d] - domain.min()[d])/period;
+            centre[d] -= period*std::floor(place);
+        }
+    }
+    return centre;
+}
+
+
+Foam::point Foam::fsi::soughtPlacement::randomCentre
+(
+    const packing& space,
+    const boundBox& container
+)
+{
+    point centre(container.min());
+    for (direction d = 0; d < nDims(); ++d)
+    {
+        const bool all = across(space, d);
+        const scalar start = all ? space.domain().min()[d] : centre[d];
+        const scalar length =
+            all ? space.period()[d] : container.span()[d];
+        centre[d] = start + length*random().sample01<scalar>();
+    }
+    return centre;
 }
 
 
@@ -152,10 +242,14 @@ Foam::fsi::soughtPlacement::soughtPlacement
         dict,
         space,
         withSoughtKeys(ownKeys, fractionKey(space)),
-        3*space.spacing(),
-        readNonNegative(dict, "minimumGap", 3*space.spacing())
+        defaultGap(dict, space),
+        readNonNegative(dict, "minimumGap", defaultGap(dict, space))
     ),
-    rotation_(readRotation(dict, nDims()))
+    rotation_(readRotation(dict, nDims())),
+    acrossCyclic_
+    (
+        dict.lookupOrDefault<Switch>("acrossCyclic", space.immersed(shape()))
+    )
 {}
 
 

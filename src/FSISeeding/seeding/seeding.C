@@ -52,7 +52,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
 {
     List<closedSurface> surfaces;
     wordList names;
-    boolList prescribed;
+    boolList prescribed, immersed;
     pointField places;
     const auto add = [&](const word& name, const dictionary& d, const shape& b)
     {
@@ -68,6 +68,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         );
         names.append(shape.name());
         prescribed.append(!objects_.groups().last().movesFreely());
+        immersed.append(!objects_.groups().last().hasWalls());
         places.append(b.centroid());
     };
     for (const entry& e : dict)
@@ -99,7 +100,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         new packing
         (
             domain_.bounds, domain_.spacing, names, surfaces,
-            domain_.period, prescribed, places
+            domain_.period, prescribed, places, immersed
         )
     );
 }

@@ -2,42 +2,72 @@
 
 #include "seeding.H"
 #include "openfoamVersion.H"
+#include "OStringStream.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::seeding::checkContacts() const
+Foam::label Foam::fsi::seeding::countNear
+(
+    const bool membranes,
+    const scalar range,
+    labelPair& first
+) const
 {
-    label nTouching = 0, first = -1, other = -1;
-    for (label i = 0; i < space_->size() && domain_.contactRange > 0; ++i)
+    label number = 0;
+    for (label i = 0; i < space_->size() && range > 0; ++i)
     {
         // Nothing pushes objects with a prescribed motion
-        if (space_->attached((*space_)[i].shape))
+        const label shapei = (*space_)[i].shape;
+        if (space_->attached(shapei) || space_->immersed(shapei) != membranes)
         {
             continue;
         }
-        const label found = space_->findConflict
-        (
-            (*space_)[i], domain_.contactRange, i
-        );
-        if (found >= 0 && nTouching++ == 0)
+        const label other = space_->findConflict((*space_)[i], range, i);
+        if (other >= 0 && number++ == 0)
         {
-            first = i;
-            other = found;
+            first = labelPair(i, other);
         }
     }
+    return number;
+}
+
+
+std::string Foam::fsi::seeding::describe(const labelPair& pair) const
+{
+    const closedSurface& surface = space_->surface(pair.first());
+    OStringStream os;
+    os  << "    The first is " << space_->description(pair.first()).c_str()
+        << nl << "    with the gap "
+        << space_->distance(surface, pair.second()) << " m to "
+        << space_->description(pair.second()).c_str() << nl
+        << "    Entry 'minimumGap' of a placement keeps them apart" << nl;
+    return os.str();
+}
+
+
+void Foam::fsi::seeding::checkContacts() const
+{
+    labelPair pair;
+    const label nTouching = countNear(false, domain_.contactRange, pair);
     if (nTouching)
     {
-        const scalar gap = space_->distance(space_->surface(first), other);
         WarningInFunction
             << nTouching << " objects are nearer to another than the range of"
             << " contact, " << domain_.contactRange
             << " m: their range is the gap at first, and laws that attract"
             << " push them from the start." << nl
-            << "    The first is " << space_->description(first).c_str() << nl
-            << "    with the gap " << gap << " m to "
-            << space_->description(other).c_str() << nl
-            << "    Entry 'minimumGap' of a placement keeps them apart" << nl
-            << endl;
+            << describe(pair).c_str() << endl;
+    }
+
+    // A little less, against round-off
+    const scalar gap = packing::membraneGap*domain_.spacing;
+    const label nHooked = countNear(true, (1 - 1e-6)*gap, pair);
+    if (nHooked)
+    {
+        WarningInFunction
+            << nHooked << " membranes are nearer to another object than 0.3"
+            << " cells, " << gap << " m: the fluid hardly parts them." << nl
+            << describe(pair).c_str() << endl;
     }
 }
 

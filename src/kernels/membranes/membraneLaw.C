@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "membraneLaw.H"
+#include "laneField.H"
+#include "membraneTriangle.H"
 #include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -29,6 +31,52 @@ Foam::autoPtr<Foam::fsi::membraneLaw> Foam::fsi::membraneLaw::New
         "law",
         dict.lookupOrDefault<word>("law", "Skalak")
     )(dict);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::fsi::membraneLaw::tensions
+(
+    const UList<scalar>& stretches,
+    const UList<scalar>& others
+) const
+{
+    // A triangle with two sides of length 1 along x and y at rest. The force
+    // on a corner is the tension across the side's middle, half as wide
+    const pointField corners({Zero, vector(1, 0, 0), vector(0, 1, 0)});
+    surfaceFace f;
+    f[0] = 0;
+    f[1] = 1;
+    f[2] = 2;
+    const List<membraneTriangle> triangle(1, membraneTriangle(f, corners));
+    const label atX = 3*nLanes, atY = 7*nLanes;
+
+    scalarField result(stretches.size());
+    for (label first = 0; first < result.size(); first += nLanes)
+    {
+        laneField x, force;
+        double energy[nLanes] = {};
+        x.resize(9*nLanes);
+        force.resize(9*nLanes);
+        const label n = min(label(nLanes), result.size() - first);
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            const label i = first + min(lane, n - 1);
+            x[atX + lane] = stretches[i];
+            x[atY + lane] = others[i];
+        }
+        addForces(triangle, x.data(), force.data(), energy);
+        for (label lane = 0; lane < n; ++lane)
+        {
+            const label i = first + lane;
+            result[i] = -2*min
+            (
+                force[atX + lane]/others[i], force[atY + lane]/stretches[i]
+            );
+        }
+    }
+    return result;
 }
 
 

@@ -178,20 +178,22 @@ Foam::fsi::closedSurface::closedSurface
 Foam::fsi::closedSurface Foam::fsi::closedSurface::moved
 (
     const tensor& rotation,
-    const vector& translation
+    const vector& translation,
+    const scalar scale
 ) const
 {
+    const tensor turn(scale*rotation);
     closedSurface result;
     result.nDims_ = nDims_;
     result.faces_ = faces_;
-    result.volume_ = volume_;
-    result.outerRadius_ = outerRadius_;
-    result.innerRadius_ = innerRadius_;
-    result.centroid_ = (rotation & centroid_) + translation;
+    result.volume_ = pow(scale, nDims_)*volume_;
+    result.outerRadius_ = scale*outerRadius_;
+    result.innerRadius_ = scale*innerRadius_;
+    result.centroid_ = (turn & centroid_) + translation;
     result.points_.resize(points_.size());
     forAll(points_, i)
     {
-        result.points_[i] = (rotation & points_[i]) + translation;
+        result.points_[i] = (turn & points_[i]) + translation;
     }
     result.bounds_ = boundBox(result.points_, false);
     return result;

@@ -45,18 +45,21 @@ Foam::fsi::closedSurface::answer Foam::fsi::closedSurface::fromBalls
     const closedSurface& a,
     const closedSurface& b,
     const scalar apart,
-    const scalar gap
+    const scalar gap,
+    const scalar scaleA,
+    const scalar scaleB
 )
 {
     // More than round-off, so that the faces decide when it is close
     const scalar slack = 1e-9;
-    if (apart > (1 + slack)*(a.outerRadius_ + b.outerRadius_ + gap))
+    const scalar outer = scaleA*a.outerRadius_ + scaleB*b.outerRadius_ + gap;
+    const scalar inner = scaleA*a.innerRadius_ + scaleB*b.innerRadius_ + gap;
+    if (apart > (1 + slack)*outer)
     {
         return NO;
     }
     const bool both = min(a.innerRadius_, b.innerRadius_) > 0;
-    const scalar least = (1 - slack)*(a.innerRadius_ + b.innerRadius_ + gap);
-    return both && apart < least ? YES : UNKNOWN;
+    return both && apart < (1 - slack)*inner ? YES : UNKNOWN;
 }
 
 

@@ -68,13 +68,17 @@ def check_fed(report, folder):
 
 def check_one_place(report, folder):
     """Two free objects at one place are named at the start."""
-    for cells in ((32, 32), (16, 16, 16)):
+    for cells, material, properties in (
+            ((32, 32), "E 100;", ""), ((16, 16, 16), "E 100;", ""),
+            ((16, 16, 16), "type membrane; shearModulus 1;",
+             "contact { law { type none; } }")):
         plane = len(cells) == 2
         case = fsiCase.Case(
             os.path.join(folder, f"place{len(cells)}"), cells=cells,
+            properties=properties,
             box=(0, 0, 1, 1) if plane else (0, 0, 0, 1, 1, 1), endTime=0.02,
             shapes=f"a {{ shape {{ type {'circle' if plane else 'sphere'}; "
-                   "radius 0.15; } material { density 1; E 100; } }",
+                   f"radius 0.15; }} material {{ density 1; {material} }} }}",
             placements="a { type listed; shape a; objects ({ centre "
                        f"(0.3 0.5 {0 if plane else 0.5}); }} {{ centre "
                        f"(0.7 0.5 {0 if plane else 0.5}); }}); }}")

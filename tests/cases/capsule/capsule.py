@@ -11,7 +11,9 @@ mu times rate times radius over the shear modulus.
 """
 
 import filecmp
+import math
 import os
+import subprocess
 import sys
 
 import fsiCase
@@ -66,7 +68,7 @@ def capsule(folder, name, cells=5, capillary=0.3, material="",
 
 def check_deformation(report, folder):
     """Deformation and volume at 5 cells to the radius."""
-    case = capsule(folder, "shear")
+    case = capsule(folder, "shear", writeInterval=25)
     case.run("fsiPisoFoam")
     row = results.table(case.path, "objects.csv")[-1]
     D = row["deformation"]
@@ -75,11 +77,33 @@ def check_deformation(report, folder):
           f"{case.seconds['fsiPisoFoam']:.0f} s")
     report.check("the deformation is at most 8 % above the literature",
                  least < D < EXCESS*most, D)
+    report.check("it turns and is stretched", row["stretch"] > 1.2
+                 and row["phaseZ"] < results.table(
+                     case.path, "objects.csv")[0]["phaseZ"] - 0.1
+                 and 0.3 < row["inclination"] < 0.8, str(row))
+    check_profiles(report, case)
     change = max(row["areaChange"]
                  for row in results.table(case.path, "global.csv"))
     report.check("the volume stays", change < 1e-6, change)
     text = case.run("checkObjects")
     report.check("objects are sound", "Objects are sound" in text, text[-300:])
+
+
+def check_profiles(report, case):
+    """etc/profiles: Einstein's viscosity, and the fraction of the box."""
+    text = subprocess.run(
+        [os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                      "../../../etc/profiles"), case.path, "-from", "0.5"],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+        check=False).stdout
+    values = {line[:40].strip(): float(line[40:])
+              for line in text.splitlines() if not line.startswith("/")}
+    fraction = 4/3*math.pi/(2*HALF)**3
+    report.check(
+        "etc/profiles", len(values) == 7 and 1 + fraction
+        < values["apparent viscosity over the fluid's"] < 1 + 4*fraction
+        and abs(values["volume fraction, tube haematocrit"]/fraction - 1)
+        < 0.02, text)
 
 
 def check_contrast(report, folder):
@@ -112,6 +136,12 @@ def check_ranks(report, folder):
         case.run("fsiPisoFoam", ranks=2)
         case.run("reconstructPar", "-latestTime")
         error = results.difference(serial.path, case.path)
+        tables = [results.table(c.path, "objects.csv")[-1]
+                  for c in (serial, case)]
+        report.check(f"ranks {parts} have the rows of one", all(
+            abs(tables[0][key] - tables[1][key]) < 1e-7
+            for key in ("phaseX", "phaseZ", "inclination", "stretch")),
+                     str(tables))
         report.check(f"ranks {parts} have the nodes of one", error < 1e-8,
                      f"{error:.2e} of the size")
 

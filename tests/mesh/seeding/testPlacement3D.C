@@ -96,7 +96,8 @@ TEST(Placement3D, csvTakesEveryKindOfRotation)
         {
             "x,y,z,axisX,axisY,axisZ,angle\n.5,.5,.5,0,3,0,90\n",
             "quaternionW,quaternionX,quaternionY,quaternionZ,x,y,z\n"
-            "3,0,3,0,.5,.5,.5\n"
+            "3,0,3,0,.5,.5,.5\n",
+            "x,y,z,eulerX,eulerY,eulerZ\n.5,.5,.5,0,90,0\n"
         }
     )
     {
@@ -118,6 +119,29 @@ TEST(Placement3D, csvTakesEveryKindOfRotation)
     EXPECT_EQ(space[0].angularVelocity, vector(1, 0, 3));
     EXPECT_EQ(space[0].velocity, vector(0, 0, 7));
     rm(csvFile());
+}
+
+
+TEST(Placement3D, filesOfHemoCellAreRead)
+{
+    // Turned about x, then about y, then about z; micrometres
+    const fileName file(csvFile() + ".pos");
+    OFstream(file)()
+        << "3\n2e5 3e5 4e5 90 0 90\n7e5 7e5 7e5 0 0 0\n9e5 0 0 0 0 0\n";
+    packing space(emptyCube());
+    const std::string text("type csv; shape cell; file \"" + file + "\";");
+    place(space, text + "misfits leaveOut;");
+    ASSERT_EQ(space.size(), 2);
+    EXPECT_LT(mag(space[0].centre - point(0.2, 0.3, 0.4)), 1e-12);
+    const vector x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    EXPECT_LT(mag((space[0].rotation & y) - z), 1e-12);
+    EXPECT_LT(mag((space[0].rotation & x) - y), 1e-12);
+    if (fsi::errorsAreThrown())
+    {
+        const std::string error(errorIn(emptyCube(), text));
+        expectPieces(error, {"object 2", "not in the domain"});
+    }
+    rm(file);
 }
 
 
@@ -195,6 +219,35 @@ TEST(Placement3D, randomOnesKeepGapsAcrossSeams)
 
     // Turned about axes other than z
     EXPECT_GT(mag(space[1].rotation.zz() - 1), 1e-3);
+}
+
+
+TEST(Placement3D, objectsThatStartSmallLieInAllDirections)
+{
+    // Membranes, with their own defaults for gaps and cyclic sides
+    packing space
+    (
+        boundBox(point(0, 0, 0), point(1, 1, 1)), 0.02, {"cell"},
+        {ellipsoid({0.12, 0.12, 0.05}, 3)}, vector(1, 1, 0), boolList(),
+        pointField(), boolList(1, true)
+    );
+    place(space, "type packed; shape cell; volumeFraction 0.3; start small;");
+    const scalar own = space.shape(0).volume();
+    EXPECT_NEAR(space.size()*own, 0.3, 0.51*own);
+    EXPECT_GE(smallestGap(space), 0.3*0.02);
+    label nAcross = 0;
+    scalar along = 0;
+    const boundBox layer(point(-1, -1, 0), point(2, 2, 1));
+    for (label i = 0; i < space.size(); ++i)
+    {
+        nAcross += !space.surface(i).inside(space.domain(), 0);
+        EXPECT_TRUE(space.surface(i).inside(layer, 0.3*0.02)) << i;
+        along += sqr(space[i].rotation.zz())/space.size();
+    }
+    EXPECT_GT(nAcross, space.size()/5);
+
+    // 1/3 where all directions are equally likely, 1 on a lattice
+    EXPECT_NEAR(along, 0.36, 0.12);
 }
 
 
