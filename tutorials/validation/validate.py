@@ -19,6 +19,7 @@ import common
 import cylinder
 import discs
 import fixedWalls
+import flap
 import lubrication
 import migration
 import oscillatingSphere
@@ -30,10 +31,12 @@ import softDisc
 import suspension
 import timeOrder
 import timeStep
+import vessel
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
-           rigidStiff, oscillatingSphere, resistances, suspension)
+           rigidStiff, oscillatingSphere, resistances, suspension, flap,
+           vessel)
 
 
 def collected(name):

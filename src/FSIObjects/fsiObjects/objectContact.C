@@ -135,7 +135,7 @@ void Foam::fsi::objectContact::setNodes()
         const bodyGroup& group = bodies_.groups()[groupi];
         if (!groups_[groupi])
         {
-            groups_[groupi] = std::make_unique<groupContact>(group);
+            groups_[groupi].reset(new groupContact(group, contact_.range()));
         }
         groups_[groupi]->setNodes(surfaces(), objects[groupi], nodes_);
     }

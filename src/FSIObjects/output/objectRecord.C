@@ -11,7 +11,11 @@
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::List<Foam::fsi::objectRecord>
-Foam::fsi::objectRecord::sample(const population& objects)
+Foam::fsi::objectRecord::sample
+(
+    const population& objects,
+    const vector& period
+)
 {
     const surfaceSet& surfaces = objects.surfaces();
 
@@ -26,6 +30,8 @@ Foam::fsi::objectRecord::sample(const population& objects)
         r.object = objects.objectId(objecti);
         r.shape = objects.shape(groupi).name();
         r.centroid = surfaces.centroid(objecti);
+        r.unwrapped =
+            r.centroid + cmptMultiply(group.periods(copyi), period);
         r.velocity = group.velocity(copyi);
         r.angularVelocity = group.angularVelocity(copyi);
         r.area = surfaces.volume(objecti);
@@ -103,7 +109,7 @@ void Foam::fsi::objectRecord::exchange(copyValues& values)
         vector* each :
         {
             &centroid, &velocity, &angularVelocity, &halfAxes, &longAxis,
-            &shortAxis, &force, &torque, &phases
+            &shortAxis, &force, &torque, &phases, &unwrapped
         }
     )
     {
@@ -191,6 +197,7 @@ Foam::wordList Foam::fsi::objectRecord::columns(const direction nDims)
             })
         );
     }
+    names.append(wordList({"unwrappedX", "unwrappedY", "unwrappedZ"}));
     return names;
 }
 
@@ -216,6 +223,7 @@ void Foam::fsi::objectRecord::write
         row << flowAngle << halfAxes << longAxis << shortAxis
             << inclination << phases << stretch;
     }
+    row << unwrapped;
 }
 
 

@@ -89,12 +89,12 @@ void Foam::fsi::stateChecks::checkMesh
             << ": run seedObjects on this mesh" << exit(FatalError);
     }
 
-    // Wide, for obstacles that reach out and objects about to leave
-    const vector far(10*bounds.span());
     forAll(objects.groups(), groupi)
     {
         const bodyGroup& group = objects.groups()[groupi];
         const shapeTemplate& shape = group.shape();
+        // Wide, for objects about to leave, and more for walls around vessels
+        const vector far((group.movesFreely() ? 10 : 1000)*bounds.span());
         if (planar && mag(shape.thickness() - thickness) > 1e-6*thickness)
         {
             FatalErrorInFunction

@@ -117,8 +117,11 @@ void Foam::fsi::stepOutput::report(const timeError& error)
 
 void Foam::fsi::stepOutput::writeRows(const vectorField& hydrodynamicForce)
 {
-    List<objectRecord> records(objectRecord::sample(objects_.bodies()));
     const population& bodies = objects_.bodies();
+    List<objectRecord> records
+    (
+        objectRecord::sample(bodies, objects_.images().period())
+    );
     const surfaceSet& surfaces = bodies.surfaces();
     const label nOwned = surfaces.pointStart()[bodies.size()];
     for (label nodei = 0; nodei < nOwned; ++nodei)

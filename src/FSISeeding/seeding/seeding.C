@@ -35,11 +35,14 @@ static void checkShapeEntry(const dictionary& dict, const entry& e)
     (
         e.dict(),
         {
-            "shape", "mesh", "material", "admm",
+            "shape", "mesh", "material", "admm", "hold",
             "nodeSpacing", "minimumCells", "motion"
         }
     );
-    checkSubDicts(e.dict(), {"shape", "mesh", "material", "admm", "motion"});
+    checkSubDicts
+    (
+        e.dict(), {"shape", "mesh", "material", "admm", "hold", "motion"}
+    );
 }
 
 } // End namespace fsi
@@ -52,7 +55,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
 {
     List<closedSurface> surfaces;
     wordList names;
-    boolList prescribed, immersed;
+    boolList attached, immersed;
     pointField places;
     const auto add = [&](const word& name, const dictionary& d, const shape& b)
     {
@@ -67,7 +70,11 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
             )
         );
         names.append(shape.name());
-        prescribed.append(!objects_.groups().last().movesFreely());
+        attached.append
+        (
+            !objects_.groups().last().movesFreely()
+         || shape.held().clamped().size()
+        );
         immersed.append(!objects_.groups().last().hasWalls());
         places.append(b.centroid());
     };
@@ -100,7 +107,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         new packing
         (
             domain_.bounds, domain_.spacing, names, surfaces,
-            domain_.period, prescribed, places, immersed
+            domain_.period, attached, places, immersed
         )
     );
 }
@@ -165,7 +172,8 @@ void Foam::fsi::seeding::addShape
                 ),
                 nodeSpacing,
                 domain_.thickness,
-                domain_.nDims
+                domain_.nDims,
+                body.centroid()
             )
         ),
         dict.subOrEmptyDict("motion")

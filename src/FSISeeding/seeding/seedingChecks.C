@@ -16,7 +16,7 @@ Foam::label Foam::fsi::seeding::countNear
     label number = 0;
     for (label i = 0; i < space_->size() && range > 0; ++i)
     {
-        // Nothing pushes objects with a prescribed motion
+        // They touch what they are attached to, or nothing pushes them
         const label shapei = (*space_)[i].shape;
         if (space_->attached(shapei) || space_->immersed(shapei) != membranes)
         {
@@ -84,8 +84,8 @@ void Foam::fsi::seeding::checkVelocities(const dictionary& placements) const
                 << "Entry 'velocity' or 'angularVelocity' of placement "
                 << object.placement << " in dictionary " << placements.name()
                 << " gives " << space_->description(i).c_str()
-                << " a velocity, but its shape has a prescribed motion: give"
-                << " the velocity there (entry 'motion' of the shape)"
+                << " a velocity, but its shape has a prescribed motion, or is"
+                << " clamped (entries 'motion' and 'hold' of the shape)"
                 << exit(FatalIOError);
         }
     }

@@ -54,6 +54,43 @@ static void checkSize
 }
 
 
+//- Fatal if a vessel is not fixed, or its wall does not fill the domain
+static void checkVessel
+(
+    const dictionary& dict,
+    const shape& body,
+    const seedDomain& domain,
+    const word& motion
+)
+{
+    const word material
+    (
+        dict.subDict("material").lookupOrDefault<word>("type", "")
+    );
+    if (motion != "fixed" || material != "rigid")
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'inside' of the shape in dictionary " << dict.name()
+            << " makes it the wall of a vessel, which needs"
+            << " 'material { type rigid; ... }' and 'motion { type fixed; }'"
+            << exit(FatalIOError);
+    }
+    const boundBox wall
+    (
+        body.bounds().min() + body.centroid(),
+        body.bounds().max() + body.centroid()
+    );
+    if (!wall.contains(domain.bounds))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'shape' of dictionary " << dict.name()
+            << " describes a vessel whose wall fills the box " << wall
+            << " m, but the domain is " << domain.bounds << " m: is the"
+            << " domain too large, or 'scale' wrong?" << exit(FatalIOError);
+    }
+}
+
+
 //- The least thickness. Fatal if a body is thinner than minimumCells cells, or
 //  lost among nodes
 static scalar checkThickness
@@ -127,7 +164,14 @@ Foam::scalar Foam::fsi::checkShape
     (
         dict.subOrEmptyDict("motion").lookupOrDefault<word>("type", "free")
     );
-    checkSize(dict, body, domain, motion != "free");
+    if (body.hollow())
+    {
+        checkVessel(dict, body, domain, motion);
+    }
+    else
+    {
+        checkSize(dict, body, domain, motion != "free");
+    }
     return checkThickness(dict, body, domain);
 }
 

@@ -42,7 +42,7 @@ static void checkSize
 {
     const vector cells(body.bounds().span()/nodeSpacing);
     const scalar nodes = body.volume()/pow3(nodeSpacing);
-    if (nodes > 1e7 || cmptMax(cells) > 5000)
+    if (!body.hollow() && (nodes > 1e7 || cmptMax(cells) > 5000))
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'type' " << getEntry<word>(dict, "type")

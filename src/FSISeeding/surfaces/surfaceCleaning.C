@@ -3,6 +3,7 @@
 #include "surfaceCleaning.H"
 #include "DynamicList.H"
 #include "joinedPoints.H"
+#include "surfaceOrientation.H"
 #include "surfaceTools.H"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -61,7 +62,11 @@ static bool appendPolygon
 
 //- Triangles with joined points, without those that have no three corners or
 //  are there already
-static shapeMesh joined(const surfaceFormats::polygonSoup& soup)
+static shapeMesh joined
+(
+    const surfaceFormats::polygonSoup& soup,
+    repairs& done
+)
 {
     joinedPoints places(1e-8);
     std::set<std::array<label, 3>> known;
@@ -86,6 +91,7 @@ static shapeMesh joined(const surfaceFormats::polygonSoup& soup)
         {
             corners.pop_back();
         }
+        done.collapsed += corners.size() < 3;
         if (corners.size() == 3)
         {
             const surfaceFace face({corners[0], corners[1], corners[2]});
@@ -95,7 +101,10 @@ static shapeMesh joined(const surfaceFormats::polygonSoup& soup)
                 std::min_element(corners.begin(), corners.end()),
                 corners.end()
             );
-            if (known.insert({corners[0], corners[1], corners[2]}).second)
+            const bool isNew =
+                known.insert({corners[0], corners[1], corners[2]}).second;
+            done.doubled += !isNew;
+            if (isNew)
             {
                 faces.append(face);
             }
@@ -191,10 +200,11 @@ static bool flip(shapeMesh& surface, faceOfSide& sides, const label facei)
 
 Foam::fsi::shapeMesh Foam::fsi::surfaceCleaning::clean
 (
-    const surfaceFormats::polygonSoup& soup
+    const surfaceFormats::polygonSoup& soup,
+    repairs& done
 )
 {
-    shapeMesh surface(joined(soup));
+    shapeMesh surface(joined(soup, done));
     std::set<label> flat;
     forAll(surface.faces, facei)
     {
@@ -203,6 +213,8 @@ Foam::fsi::shapeMesh Foam::fsi::surfaceCleaning::clean
             flat.insert(facei);
         }
     }
+    done.flat = flat.size();
+    done.turned = orientSurface(surface.faces);
     if (flat.empty())
     {
         return surface;

@@ -3,8 +3,11 @@
 #include "surfaceFile.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
+#include "DynamicList.H"
+#include "errorOf.H"
 #include "surfacePieces.H"
 #include "surfaceTools.H"
+#include "Switch.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -69,9 +72,13 @@ Foam::fsi::surfaceFile::surfaceFile
 :
     cornerAngle_(degToRad(readPositive(dict, "cornerAngle", 40))),
     surface_(piece.surface),
-    origin_(piece.origin)
+    origin_(piece.origin),
+    inside_(readEntryOr<Switch>(dict, "inside", false))
 {
-    checkKeys(dict, {"type", "file", "scale", "cornerAngle", "piece"});
+    checkKeys
+    (
+        dict, {"type", "file", "scale", "cornerAngle", "piece", "inside"}
+    );
 }
 
 
@@ -98,6 +105,47 @@ Foam::PtrList<Foam::fsi::shape> Foam::fsi::surfaceFile::allPieces
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fsi::shapeMesh Foam::fsi::surfaceFile::wallOf(shapeMesh vessel) const
+{
+    for (surfaceFace& f : vessel.faces)
+    {
+        Swap(f[1], f[2]);
+    }
+    const boundBox box(vessel.points, false);
+    const vector margin(2*box.mag()*vector::one);
+    const point corners[2] = {box.min() - margin, box.max() + margin};
+    const label n = vessel.points.size();
+    DynamicList<point> points(vessel.points);
+    for (label i = 0; i < 8; ++i)
+    {
+        points.append
+        (
+            point
+            (
+                corners[i % 2].x(), corners[(i/2) % 2].y(), corners[i/4].z()
+            )
+        );
+    }
+    const label sides[6][4] =
+    {
+        {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+        {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}
+    };
+    DynamicList<surfaceFace> faces(vessel.faces);
+    for (const auto& s : sides)
+    {
+        faces.append(surfaceFace({n + s[0], n + s[1], n + s[2]}));
+        faces.append(surfaceFace({n + s[0], n + s[2], n + s[3]}));
+    }
+    vessel.points = points;
+    vessel.faces = faces;
+    vessel.nBoundary = points.size();
+    return vessel;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::fsi::shapeMesh Foam::fsi::surfaceFile::surface() const
@@ -106,9 +154,54 @@ Foam::fsi::shapeMesh Foam::fsi::surfaceFile::surface() const
 }
 
 
+Foam::fsi::shapeMesh Foam::fsi::surfaceFile::mesh
+(
+    const scalar nodeSpacing,
+    const meshGrading& grading,
+    const bool filled
+) const
+{
+    if (!inside_)
+    {
+        return solidShape::mesh(nodeSpacing, grading, filled);
+    }
+    shapeMesh vessel(solidShape::mesh(nodeSpacing, grading, false));
+    vessel.points *= std::cbrt
+    (
+        surfaceTools::volume(surface_.points, surface_.faces)
+       /surfaceTools::volume(vessel.points, vessel.faces)
+    );
+    shapeMesh wall(wallOf(vessel));
+    wall.points -= surfaceTools::centroid(wall.points, wall.faces);
+    return wall;
+}
+
+
+Foam::boundBox Foam::fsi::surfaceFile::bounds() const
+{
+    if (!inside_)
+    {
+        return solidShape::bounds();
+    }
+    const shapeMesh wall(wallOf(surface_));
+    const point centre(surfaceTools::centroid(wall.points, wall.faces));
+    return boundBox(pointField(wall.points - centre), false);
+}
+
+
+Foam::scalar Foam::fsi::surfaceFile::minimumThickness() const
+{
+    return
+        inside_
+      ? 2*boundBox(surface_.points, false).mag()
+      : solidShape::minimumThickness();
+}
+
+
 Foam::scalar Foam::fsi::surfaceFile::volume() const
 {
-    return surfaceTools::volume(surface_.points, surface_.faces);
+    const shapeMesh body(inside_ ? wallOf(surface_) : surface_);
+    return surfaceTools::volume(body.points, body.faces);
 }
 
 
@@ -120,8 +213,8 @@ Foam::scalar Foam::fsi::surfaceFile::cornerAngle() const
 
 Foam::point Foam::fsi::surfaceFile::centroid() const
 {
-    return
-        origin_ + surfaceTools::centroid(surface_.points, surface_.faces);
+    const shapeMesh body(inside_ ? wallOf(surface_) : surface_);
+    return origin_ + surfaceTools::centroid(body.points, body.faces);
 }
 
 

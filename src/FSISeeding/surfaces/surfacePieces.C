@@ -127,6 +127,22 @@ static shapeMesh pieceOf
 }
 
 
+//- Say how much of a surface was mended, if anything was
+static void warn(const caseFile& file, const surfaceCleaning::repairs& done)
+{
+    if (done.doubled + done.collapsed + done.flat + done.turned)
+    {
+        WarningInFunction
+            << "The surface in " << file.name().c_str() << " was mended: "
+            << done.doubled << " triangles that were there twice and "
+            << done.collapsed << " without three corners are removed, "
+            << done.flat << " without an area have given their place to"
+            << " neighbours, " << done.turned << " that faced the other way"
+            << " than most are turned" << nl << endl;
+    }
+}
+
+
 //- Fatal if a surface, in units of a size about a centre, has a fault; turned
 //  round if it is inside out
 static void checkSurface
@@ -187,7 +203,9 @@ std::vector<Foam::fsi::filePiece> Foam::fsi::readPieces
     shapeMesh all;
     try
     {
-        all = surfaceCleaning::clean(soup);
+        surfaceCleaning::repairs done;
+        all = surfaceCleaning::clean(soup, done);
+        warn(file, done);
     }
     catch (const std::runtime_error& error)
     {
@@ -197,7 +215,6 @@ std::vector<Foam::fsi::filePiece> Foam::fsi::readPieces
     {
         file.fail(": the surface is empty: it has no triangles");
     }
-
     const labelList pieces(surfaceTools::pieces(all.faces));
     const label n = max(pieces) + 1;
     if (piece > n)

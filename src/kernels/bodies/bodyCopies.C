@@ -23,6 +23,17 @@ void Foam::fsi::bodyCopies::startCopy
 }
 
 
+void Foam::fsi::bodyCopies::setAnchors(const label copyi)
+{
+    const labelList& held = shape_.held().nodes();
+    for (label k = 0; k < held.size(); ++k)
+    {
+        ofCopy(anchors_, copyi).row(k) =
+            ofCopy(positions(), copyi).row(held[k]);
+    }
+}
+
+
 void Foam::fsi::bodyCopies::writeCopies(Ostream& os) const
 {
     putEntry(os, "shape", shape_.name());
@@ -31,6 +42,10 @@ void Foam::fsi::bodyCopies::writeCopies(Ostream& os) const
     writeMatrix(os, "owedImpulse", owedImpulse_);
     writeMatrix(os, "contactRange", contactRange_);
     writeMatrix(os, "periods", periods_);
+    if (anchors_.rows())
+    {
+        writeMatrix(os, "anchors", anchors_);
+    }
 }
 
 
@@ -43,6 +58,10 @@ void Foam::fsi::bodyCopies::readCopies(const dictionary& dict)
     readMatrix(dict, "owedImpulse", owedImpulse_);
     readMatrix(dict, "contactRange", contactRange_);
     readMatrix(dict, "periods", periods_);
+    if (anchors_.rows())
+    {
+        readMatrix(dict, "anchors", anchors_);
+    }
 }
 
 
@@ -56,6 +75,7 @@ Foam::fsi::bodyCopies::bodyCopies(const shapeTemplate& shape)
     owedImpulse_.resize(shape.nBoundaryNodes(), 0);
     contactRange_.resize(1, 0);
     periods_.resize(3, 0);
+    anchors_.resize(shape.held().nodes().size(), 0);
 }
 
 
@@ -69,6 +89,7 @@ void Foam::fsi::bodyCopies::resize(const label nCopies)
     owedImpulse_.conservativeResize(shape_.nBoundaryNodes(), nColumns);
     contactRange_.conservativeResize(1, nCopies);
     periods_.conservativeResize(3, nCopies);
+    anchors_.conservativeResize(anchors_.rows(), nColumns);
     resizeState(nCopies);
 }
 
@@ -104,6 +125,7 @@ void Foam::fsi::bodyCopies::exchange(const label copyi, copyValues& values)
     values.block(ofCopy(owedImpulse_, copyi));
     values.block(contactRange_.col(copyi));
     values.block(periods_.col(copyi));
+    values.block(ofCopy(anchors_, copyi));
     exchangeState(copyi, values);
 }
 
@@ -142,6 +164,7 @@ void Foam::fsi::bodyCopies::moveBack
     for (direction d = 0; d < shape_.nDims(); ++d)
     {
         positions().col(shape_.nDims()*copyi + d).array() -= n[d]*period[d];
+        anchors_.col(shape_.nDims()*copyi + d).array() -= n[d]*period[d];
         periods_(d, copyi) += n[d];
     }
 }

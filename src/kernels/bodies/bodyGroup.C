@@ -12,7 +12,18 @@
 
 Foam::fsi::bodyGroup::bodyGroup(const shapeTemplate& shape)
 :
-    bodyCopies(shape)
+    bodyGroup(shape, bodyFreedom(shape.nDims()))
+{}
+
+
+Foam::fsi::bodyGroup::bodyGroup
+(
+    const shapeTemplate& shape,
+    const bodyFreedom& freedom
+)
+:
+    bodyCopies(shape),
+    freedom_(freedom)
 {}
 
 
@@ -32,9 +43,22 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
             new prescribedBodies(shape, std::move(motion))
         );
     }
+    const bodyFreedom freedom(motionDict, shape.nDims());
     if (shape.rigid())
     {
-        return autoPtr<bodyGroup>(new rigidBodies(shape));
+        return autoPtr<bodyGroup>(new rigidBodies(shape, freedom));
+    }
+    if
+    (
+        (shape.sheet() || shape.membrane())
+     && !(freedom.movesFreely() && freedom.turnsFreely())
+    )
+    {
+        FatalIOErrorInFunction(motionDict)
+            << "Entries 'translations' and 'rotations' in dictionary "
+            << motionDict.name() << " are for elastic and rigid bodies, but the"
+            << " material of shape " << shape.name() << " is a membrane"
+            << exit(FatalIOError);
     }
     if (shape.sheet())
     {
@@ -52,7 +76,7 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
     {
         return autoPtr<bodyGroup>(new membraneBodies(shape));
     }
-    return autoPtr<bodyGroup>(new elasticBodies(shape));
+    return autoPtr<bodyGroup>(new elasticBodies(shape, freedom));
 }
 
 
@@ -68,6 +92,23 @@ Foam::label Foam::fsi::bodyGroup::append
     const label made
 )
 {
+    if
+    (
+        !freedom_.allows(velocity, angularVelocity)
+     || (
+            shape().held().clamped().size()
+         && mag(velocity) + mag(angularVelocity) > 0
+        )
+    )
+    {
+        FatalErrorInFunction
+            << "An object of shape " << shape().name() << " at " << centre
+            << " begins with the velocity " << velocity
+            << " m/s and the angular velocity " << angularVelocity
+            << " rad/s, but entries 'translations' and 'rotations' of its"
+            << " motion, or 'hold' of its shape, do not let it move so"
+            << exit(FatalError);
+    }
     const label copyi = made < 0 ? size() : made;
     resize(max(size(), copyi + 1));
     const label nDims = shape().nDims();
@@ -85,6 +126,7 @@ Foam::label Foam::fsi::bodyGroup::append
         }
     }
     startNodes(nDims*copyi, nDims);
+    setAnchors(copyi);
     return copyi;
 }
 

@@ -122,10 +122,14 @@ void Foam::fsi::deformableBodies::readState(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::deformableBodies::deformableBodies(const shapeTemplate& shape)
+Foam::fsi::deformableBodies::deformableBodies
+(
+    const shapeTemplate& shape,
+    const bodyFreedom& freedom
+)
 :
-    bodyGroup(shape),
-    response_(shape)
+    bodyGroup(shape, freedom),
+    response_(shape, freedom)
 {
     deformableBodies::resizeState(0);
 }

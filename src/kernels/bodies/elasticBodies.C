@@ -65,9 +65,13 @@ void Foam::fsi::elasticBodies::readState(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::elasticBodies::elasticBodies(const shapeTemplate& shape)
+Foam::fsi::elasticBodies::elasticBodies
+(
+    const shapeTemplate& shape,
+    const bodyFreedom& freedom
+)
 :
-    deformableBodies(shape),
+    deformableBodies(shape, freedom),
     meanLoad_(shape.nBoundaryNodes(), 0),
     lastLoad_(shape.nBoundaryNodes(), 0),
     solver_(shape)
@@ -131,11 +135,20 @@ void Foam::fsi::elasticBodies::predict
         dt,
         {
             start(), startVelocities(), viscous ? total : force,
-            springStates(), secondOrder()
+            springStates(), secondOrder(),
+            shape().held().empty() ? nullptr : &anchors()
         },
         copies,
         v
     );
+    if (!freedom().movesFreely() || !freedom().turnsFreely())
+    {
+        if (!response_.preparedFor(dt, positions()))
+        {
+            response_.prepare(dt, positions());
+        }
+        response_.hold(v);
+    }
 }
 
 

@@ -24,7 +24,7 @@ Foam::labelList Foam::fsi::readGroupIds
             "FoamFile", "motion", "shape", "objectIds", "positions",
             "velocities", "lastMean", "lastVelocities", "meanLoad",
             "lastLoad", "owedImpulse", "contactRange", "periods",
-            "springStates", "triangles"
+            "springStates", "triangles", "anchors"
         }
     );
     const word name(getEntry<word>(dict, "shape"));

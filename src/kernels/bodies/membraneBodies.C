@@ -164,7 +164,7 @@ void Foam::fsi::membraneBodies::readState(const dictionary& dict)
 
 Foam::fsi::membraneBodies::membraneBodies(const shapeTemplate& shape)
 :
-    deformableBodies(shape)
+    deformableBodies(shape, bodyFreedom(shape.nDims()))
 {}
 
 

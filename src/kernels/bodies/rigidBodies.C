@@ -3,6 +3,7 @@
 #include "rigidBodies.H"
 #include "backwardStep.H"
 #include "rigidTurn.H"
+#include "stepMatrix.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -34,6 +35,36 @@ Eigen::Matrix3d Foam::fsi::rigidBodies::moments
 }
 
 
+void Foam::fsi::rigidBodies::setMasses(const scalar dt) const
+{
+    if (!shape().held().empty())
+    {
+        const scalarField masses(stepMasses(shape(), dt));
+        masses_ =
+            Eigen::Map<const Eigen::VectorXd>(masses.cdata(), masses.size());
+    }
+}
+
+
+Eigen::Vector3d Foam::fsi::rigidBodies::angularVelocityBy
+(
+    const Eigen::Matrix3d& S,
+    const Eigen::Vector3d& L
+) const
+{
+    if (freedom().turnsFreely())
+    {
+        return angularVelocityOf(S, L);
+    }
+    Eigen::Vector3d omega(Eigen::Vector3d::Zero());
+    for (const direction axis : freedom().rotations())
+    {
+        omega[axis] = L[axis]/(S.trace() - S(axis, axis));
+    }
+    return omega;
+}
+
+
 Eigen::MatrixXd Foam::fsi::rigidBodies::rigidField
 (
     const Eigen::RowVectorXd& mean,
@@ -44,7 +75,7 @@ Eigen::MatrixXd Foam::fsi::rigidBodies::rigidField
     // omega x r, row by row
     const Eigen::Matrix3d cross
     (
-        crossMatrix(angularVelocityOf(moments(arms, arms), momentum))
+        crossMatrix(angularVelocityBy(moments(arms, arms), momentum))
     );
     const label nDims = shape().nDims();
     Eigen::MatrixXd v(arms*cross.topLeftCorner(nDims, nDims).transpose());
@@ -57,16 +88,27 @@ Eigen::MatrixXd Foam::fsi::rigidBodies::rigidField
 
 Foam::fsi::rigidBodies::rigidBodies(const shapeTemplate& shape)
 :
-    bodyGroup(shape),
-    masses_
+    rigidBodies(shape, bodyFreedom(shape.nDims()))
+{}
+
+
+Foam::fsi::rigidBodies::rigidBodies
+(
+    const shapeTemplate& shape,
+    const bodyFreedom& freedom
+)
+:
+    bodyGroup(shape, freedom),
+    ownMasses_
     (
         Eigen::Map<const Eigen::VectorXd>
         (
             shape.nodeMasses().cdata(), shape.nNodes()
         )
     ),
+    masses_(ownMasses_),
     arms_(shape.nNodes(), shape.nDims()),
-    response_(shape)
+    response_(shape, freedom)
 {
     forAll(shape.points(), nodei)
     {
@@ -93,10 +135,17 @@ void Foam::fsi::rigidBodies::predict
     {
         response_.prepare(dt, positions());
     }
-    response_.respond
-    (
-        masses_.asDiagonal()*startVelocities()/dt + force, v
-    );
+    setMasses(dt);
+    Eigen::MatrixXd total(ownMasses_.asDiagonal()*startVelocities()/dt + force);
+    const labelList& held = shape().held().nodes();
+    for (label k = 0; k < held.size(); ++k)
+    {
+        const label i = held[k];
+        total.row(i) +=
+            (masses_[i] - ownMasses_[i])/sqr(dt)
+           *(anchors().row(k) - start().row(i));
+    }
+    response_.respond(total, v);
 }
 
 
@@ -108,6 +157,7 @@ void Foam::fsi::rigidBodies::begin
 )
 {
     bodyGroup::begin(time, dt, ratio);
+    setMasses(backwardStep{ratio}.length(dt));
     const Eigen::MatrixXd lastPoints(lastPositions());
     const label nDims = shape().nDims();
     for (label copyi = 0; copyi < size(); ++copyi)
@@ -123,11 +173,11 @@ void Foam::fsi::rigidBodies::begin
         (
             axialVector(moments(before, ofCopy(lastVelocities(), copyi)))
         );
-        const Eigen::Vector3d omega(angularVelocityOf(moments(r, r), L));
+        const Eigen::Vector3d omega(angularVelocityBy(moments(r, r), L));
         const Eigen::Vector3d change
         (
             ratio
-           *(omega - angularVelocityOf(moments(before, before), lastL))
+           *(omega - angularVelocityBy(moments(before, before), lastL))
         );
         const Eigen::Matrix3d turn
         (
@@ -183,70 +233,8 @@ void Foam::fsi::rigidBodies::move(const scalar dt, const Eigen::MatrixXd& v)
 
 void Foam::fsi::rigidBodies::prepareResponse(const scalar dt)
 {
+    setMasses(dt);
     response_.prepare(dt, positions());
-}
-
-
-void Foam::fsi::rigidBodies::constrain
-(
-    const scalar dt,
-    Eigen::MatrixXd& v
-) const
-{
-    const label nDims = shape().nDims();
-    for (label copyi = 0; copyi < size(); ++copyi)
-    {
-        const Eigen::MatrixXd r(lessMean(ofCopy(positions(), copyi)));
-        auto velocity = ofCopy(v, copyi);
-        const Eigen::RowVectorXd drift
-        (
-            masses_.transpose()*velocity/masses_.sum()
-        );
-
-        // Where a step of second order starts from, less r
-        const Eigen::MatrixXd before
-        (
-            secondOrder()
-          ? (lessMean(ofCopy(start(), copyi)) - r).eval()
-          : Eigen::MatrixXd::Zero(r.rows(), r.cols()).eval()
-        );
-        const Eigen::Vector3d momentum
-        (
-            axialVector(dt*moments(r, velocity) + moments(r, before))
-        );
-        Eigen::Matrix3d turn;
-        if (!rigidTurn(moments(r, r), momentum, turn))
-        {
-            FatalErrorInFunction
-                << "Object " << objectIds()[copyi] << " of the rigid shape "
-                << shape().name() << " turns by about a radian or more in the"
-                << " time step " << dt << " s. Take a smaller deltaT"
-                << exit(FatalError);
-        }
-
-        // The body's axes from the positions: the polar factor of r X^T. What
-        // is not rigid in the positions has no momentum and no spin then
-        Eigen::Matrix3d image(moments(r, arms_));
-        image(2, 2) += nDims == 2 ? image.trace() : 0;
-        const Eigen::JacobiSVD<Eigen::Matrix3d> svd
-        (
-            image, Eigen::ComputeFullU | Eigen::ComputeFullV
-        );
-        const Eigen::Matrix3d axes(svd.matrixU()*svd.matrixV().transpose());
-        const Eigen::MatrixXd roundOff
-        (
-            lessMean
-            (
-                arms_*axes.topLeftCorner(nDims, nDims).transpose() - r
-            )
-        );
-        velocity =
-            (
-                r*turn.topLeftCorner(nDims, nDims).transpose() + roundOff
-              - before
-            )/dt;
-        velocity.rowwise() += drift;
-    }
 }
 
 

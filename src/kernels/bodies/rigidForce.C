@@ -21,7 +21,7 @@ static void addWeighted
     Eigen::MatrixXd& sum
 )
 {
-    const scalarField& masses = group.shape().nodeMasses();
+    const scalarField& masses = group.response().masses();
     const scalar mass =
         Eigen::Map<const Eigen::VectorXd>(masses.cdata(), masses.size()).sum();
     const label nDims = group.shape().nDims();
@@ -56,7 +56,7 @@ void Foam::fsi::addRigidForce
     Eigen::MatrixXd& force
 )
 {
-    const scalarField& masses = group.shape().nodeMasses();
+    const scalarField& masses = group.response().masses();
     addWeighted
     (
         group,
@@ -82,7 +82,7 @@ void Foam::fsi::addSurfaceForce
     (
         Eigen::Map<const Eigen::VectorXd>
         (
-            group.shape().nodeMasses().cdata(), nB
+            group.response().masses().cdata(), nB
         ).replicate(nDims, 1)
     );
     Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero

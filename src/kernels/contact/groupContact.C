@@ -18,13 +18,40 @@ static pointField boundaryPoints(const shapeTemplate& shape)
     );
 }
 
+//- Boundary nodes near to clamped ones, in the rest shape
+static labelList nodesNearClamps
+(
+    const shapeTemplate& shape,
+    const scalar distance
+)
+{
+    const labelList clamped(shape.held().clamped());
+    DynamicList<label> near;
+    for (label nodei = 0; nodei < shape.nBoundaryNodes(); ++nodei)
+    {
+        for (const label other : clamped)
+        {
+            if (mag(shape.points()[nodei] - shape.points()[other]) <= distance)
+            {
+                near.append(nodei);
+                break;
+            }
+        }
+    }
+    return labelList(near);
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::groupContact::groupContact(const bodyGroup& group)
+Foam::fsi::groupContact::groupContact
+(
+    const bodyGroup& group,
+    const scalar range
+)
 :
     group_(group),
     rest_(boundaryPoints(group.shape())),
@@ -37,7 +64,8 @@ Foam::fsi::groupContact::groupContact(const bodyGroup& group)
             group.shape().nDims(),
             group.shape().thickness()
         )
-    )
+    ),
+    sheltered_(nodesNearClamps(group.shape(), 2*range))
 {}
 
 
@@ -105,6 +133,10 @@ void Foam::fsi::groupContact::setNodes
         {
             bodies.areas()[start + i] = areas_[i];
             bodies.masses()[start + i] = group_.shape().nodeMasses()[i];
+        }
+        for (const label i : sheltered_)
+        {
+            bodies.setSheltered(start + i);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include "copyBlock.H"
 #include "laneReference.H"
+#include "stepMatrix.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -12,6 +13,37 @@ Foam::fsi::copyBlock::copyBlock(const shapeTemplate& shape)
 {}
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::copyBlock::pullHeld
+(
+    const copyState& s,
+    const label copyi,
+    const int lane,
+    const int lanes
+)
+{
+    const labelList& nodes = shape_.held().nodes();
+    for (label k = 0; k < nodes.size(); ++k)
+    {
+        const label row = rowOf_[nodes[k]];
+        const scalar m = shape_.nodeMasses()[nodes[k]];
+        for (label i = 0; i < nDims; ++i)
+        {
+            const label column = nDims*(copyi + lane) + i;
+            const label place = lanes*(nDims*row + i) + lane;
+            const scalar free =
+                change[place] + sqr(deltaT)*s.forces(nodes[k], column)/m;
+            inertial[place] =
+                (
+                    m*free
+                  + (masses[row] - m)*((*s.anchors)(k, column) - start[place])
+                )/masses[row];
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::copyBlock::setFactor(const admmFactor& factor)
@@ -19,9 +51,10 @@ void Foam::fsi::copyBlock::setFactor(const admmFactor& factor)
     deltaT = factor.deltaT();
     rowOf_ = factor.rowOf();
     masses.resize(shape_.nNodes());
+    const scalarField own(stepMasses(shape_, deltaT));
     forAll(masses, nodei)
     {
-        masses[rowOf_[nodei]] = shape_.nodeMasses()[nodei];
+        masses[rowOf_[nodei]] = own[nodei];
     }
 }
 
@@ -65,6 +98,10 @@ void Foam::fsi::copyBlock::load(const copyState& s, const label copyi)
                 inertial[place] =
                     change[place] + sqr(deltaT)*f[nodei]/masses[row];
             }
+        }
+        if (s.anchors)
+        {
+            pullHeld(s, copyi, lane, lanes);
         }
     }
     forAll(lessDrift, place)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyMotion.H"
+#include "bodyFreedom.H"
 #include "dictionaryCheck.H"
 #include "openfoamFunction.H"
 #include "openfoamVersion.H"
@@ -59,7 +60,10 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
                 readFunction<vector>(dict, load);
             }
         }
-        checkKeys(dict, {"type", loads[0], loads[1]});
+        wordList known(bodyFreedom::keys());
+        known.append(loads);
+        known.append("type");
+        checkKeys(dict, known);
         return autoPtr<bodyMotion>();
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyResponse.H"
+#include "stepMatrix.H"
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
@@ -78,6 +79,7 @@ void Foam::fsi::bodyResponse::prepare
 {
     deltaT_ = dt;
     positions_ = positions;
+    masses_ = stepMasses(shape_, dt);
     if (matrix_.valid() && nCopies())
     {
         matrix_->prepare(dt, positions, triangles);

@@ -3,6 +3,7 @@
 #include "deformableResponse.H"
 #include "bodyVolume.H"
 #include "columnBasis.H"
+#include "openfoamVersion.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -30,9 +31,9 @@ Foam::fsi::rigidModes::modeList Foam::fsi::deformableResponse::elasticParts
     const rigidModes::modeList& rotations
 ) const
 {
-    const Eigen::Map<const Eigen::VectorXd> masses
+    const Eigen::Map<const Eigen::VectorXd> m
     (
-        shape_.nodeMasses().cdata(),
+        masses().cdata(),
         shape_.nNodes()
     );
     const label n(rotations.size());
@@ -40,7 +41,7 @@ Foam::fsi::rigidModes::modeList Foam::fsi::deformableResponse::elasticParts
     rigidModes::modeList momenta(n);
     for (label k = 0; k < n; ++k)
     {
-        momenta[k] = masses.asDiagonal()*rotations[k];
+        momenta[k] = m.asDiagonal()*rotations[k];
     }
     rigidModes::modeList parts(momenta);
     solveModes(parts);
@@ -59,6 +60,52 @@ Foam::fsi::rigidModes::modeList Foam::fsi::deformableResponse::elasticParts
         rigidModes::orthonormalise(parts, products, nDims, copyi);
     }
     return parts;
+}
+
+
+void Foam::fsi::deformableResponse::holdMotions
+(
+    rigidModes::modeList& rotations
+)
+{
+    heldModes_.clear();
+    const direction nDims = shape_.nDims();
+    if (!freedom_.movesFreely())
+    {
+        const bodyFreedom all(nDims);
+        bodyFreedom::axes held;
+        for (const direction d : all.translations())
+        {
+            if (!isIn(freedom_.translations(), d))
+            {
+                held.append(d);
+            }
+        }
+        for
+        (
+            Eigen::MatrixXd& t
+          : rigidModes::translations(masses(), nCopies(), nDims, held)
+        )
+        {
+            heldModes_.push_back({modeKind::translation, -1, t});
+            modes_.push_back(heldModes_.back());
+        }
+    }
+    if (!freedom_.turnsFreely())
+    {
+        for (const Eigen::MatrixXd& r : rotations)
+        {
+            heldModes_.push_back({modeKind::rotation, -1, r});
+        }
+        rotations = rigidModes::rotations
+        (
+            masses(), positions(), nDims, freedom_.rotations()
+        );
+        for (const Eigen::MatrixXd& r : rotations)
+        {
+            heldModes_.push_back({modeKind::rotation, 1, r});
+        }
+    }
 }
 
 
@@ -101,9 +148,16 @@ void Foam::fsi::deformableResponse::makeModes()
 {
     rigidModes::modeList rotations
     (
-        rigidModes::rotations(shape_.nodeMasses(), positions(), shape_.nDims())
+        rigidModes::rotations
+        (
+            masses(),
+            positions(),
+            shape_.nDims(),
+            bodyFreedom(shape_.nDims()).rotations()
+        )
     );
     rigidModes::modeList elastic(elasticParts(rotations));
+    holdMotions(rotations);
     addModes(modeKind::rotation, 1, std::move(rotations));
     addModes(modeKind::elasticRotation, -1, std::move(elastic));
     addVolumeMode();
@@ -112,13 +166,40 @@ void Foam::fsi::deformableResponse::makeModes()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::deformableResponse::deformableResponse(const shapeTemplate& shape)
+Foam::fsi::deformableResponse::deformableResponse
+(
+    const shapeTemplate& shape,
+    const bodyFreedom& freedom
+)
 :
-    bodyResponse(shape, responseMatrix::New(shape))
+    bodyResponse(shape, responseMatrix::New(shape)),
+    freedom_(freedom)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::deformableResponse::hold(Eigen::MatrixXd& v) const
+{
+    if (heldModes_.empty())
+    {
+        return;
+    }
+    const direction nDims = shape_.nDims();
+    const Eigen::Map<const Eigen::VectorXd> m(masses().cdata(), v.rows());
+    const Eigen::MatrixXd momenta(m.asDiagonal()*v);
+    for (label copyi = 0; copyi < nCopies(); ++copyi)
+    {
+        for (const mode& held : heldModes_)
+        {
+            const scalar amount = held.sign
+               *rigidModes::product(held.values, momenta, nDims, copyi);
+            v.middleCols(nDims*copyi, nDims) +=
+                amount*held.values.middleCols(nDims*copyi, nDims);
+        }
+    }
+}
+
 
 void Foam::fsi::deformableResponse::constrainVolume
 (

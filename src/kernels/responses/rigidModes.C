@@ -80,12 +80,13 @@ Foam::fsi::rigidModes::modeList Foam::fsi::rigidModes::rotations
 (
     const scalarField& masses,
     const Eigen::MatrixXd& positions,
-    const direction nDims
+    const direction nDims,
+    const UList<direction>& axes
 )
 {
     const auto m = vectorOf(masses);
     const scalar mass = m.sum();
-    const label n = nRotations(nDims);
+    const label n = axes.size();
 
     modeList modes(n, Eigen::MatrixXd(positions.rows(), positions.cols()));
     smallMatrix inertia(n, n);
@@ -105,7 +106,7 @@ Foam::fsi::rigidModes::modeList Foam::fsi::rigidModes::rotations
         };
         for (label k = 0; k < n; ++k)
         {
-            turn(arms, direction(n == 1 ? 2 : k), mode(k));
+            turn(arms, axes[k], mode(k));
             for (label l = 0; l <= k; ++l)
             {
                 inertia(k, l) = inertia(l, k) =
@@ -122,19 +123,20 @@ Foam::fsi::rigidModes::modeList Foam::fsi::rigidModes::translations
 (
     const scalarField& masses,
     const label nCopies,
-    const direction nDims
+    const direction nDims,
+    const UList<direction>& axes
 )
 {
     const scalar speed = 1/std::sqrt(vectorOf(masses).sum());
     modeList modes
     (
-        nDims, Eigen::MatrixXd::Zero(masses.size(), nDims*nCopies)
+        axes.size(), Eigen::MatrixXd::Zero(masses.size(), nDims*nCopies)
     );
     for (label copyi = 0; copyi < nCopies; ++copyi)
     {
-        for (direction d = 0; d < nDims; ++d)
+        forAll(axes, k)
         {
-            modes[d].col(nDims*copyi + d).setConstant(speed);
+            modes[k].col(nDims*copyi + axes[k]).setConstant(speed);
         }
     }
     return modes;

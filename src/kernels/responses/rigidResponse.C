@@ -6,28 +6,38 @@
 
 void Foam::fsi::rigidResponse::makeModes()
 {
-    const scalarField& masses = shape_.nodeMasses();
     const direction nDims = shape_.nDims();
     addModes
     (
         modeKind::translation,
         1,
-        rigidModes::translations(masses, nCopies(), nDims)
+        rigidModes::translations
+        (
+            masses(), nCopies(), nDims, freedom_.translations()
+        )
     );
     addModes
     (
         modeKind::rotation,
         1,
-        rigidModes::rotations(masses, positions(), nDims)
+        rigidModes::rotations
+        (
+            masses(), positions(), nDims, freedom_.rotations()
+        )
     );
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::rigidResponse::rigidResponse(const shapeTemplate& shape)
+Foam::fsi::rigidResponse::rigidResponse
+(
+    const shapeTemplate& shape,
+    const bodyFreedom& freedom
+)
 :
-    bodyResponse(shape)
+    bodyResponse(shape),
+    freedom_(freedom)
 {}
 
 

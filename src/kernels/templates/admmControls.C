@@ -9,7 +9,8 @@
 Foam::fsi::admmControls::admmControls
 (
     const dictionary& dict,
-    const direction nDims
+    const direction nDims,
+    const bool held
 )
 :
     quasiNewton
@@ -19,9 +20,12 @@ Foam::fsi::admmControls::admmControls
     ),
     iterations
     (
-        readBetween(dict, "iterations", quasiNewton ? 8 : 10, 1, 100000)
+        readBetween
+        (
+            dict, "iterations", held ? 200 : quasiNewton ? 8 : 10, 1, 100000
+        )
     ),
-    tolerance(readNonNegative(dict, "tolerance", 0)),
+    tolerance(readNonNegative(dict, "tolerance", held ? 1e-9 : 0)),
     springWeight
     (
         readPositive(dict, "springWeight", quasiNewton ? 1.0/nDims : 1)

@@ -5,6 +5,7 @@
 #include "massPoints.H"
 #include "springNetwork.H"
 #include "stepMatrix.H"
+#include "surfaceAlone.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -31,43 +32,10 @@ static autoPtr<Membrane> newMembrane
 }
 
 
-//- Mesh of a body without elements: with points of mass inside, of a sheet the
-//  surface alone
-static shapeMesh withoutElements
-(
-    const shapeMesh& mesh,
-    const direction nDims,
-    const bool sheet
-)
+//- How many nodes can be held: all, but not the points of mass of a rigid body
+static label heldNodesOf(const shapeMesh& mesh)
 {
-    if (!sheet)
-    {
-        return massPoints(mesh, nDims).mesh();
-    }
-    shapeMesh surface(mesh);
-    surface.points.resize(surface.nBoundary);
-    surface.elements.clear();
-    return surface;
-}
-
-
-//- Masses of the nodes of a sheet, by the areas of its triangles [kg]
-static scalarField sheetMasses(const shapeMesh& mesh, const scalar mass)
-{
-    scalarField masses(mesh.points.size(), Zero);
-    scalar sum = 0;
-    for (const surfaceFace& f : mesh.faces)
-    {
-        const point& a = mesh.points[f[0]];
-        const scalar area =
-            mag((mesh.points[f[1]] - a) ^ (mesh.points[f[2]] - a));
-        sum += 3*area;
-        for (const label nodei : f)
-        {
-            masses[nodei] += area;
-        }
-    }
-    return mass*masses/sum;
+    return mesh.elements.empty() ? mesh.nBoundary : mesh.points.size();
 }
 
 } // End namespace fsi
@@ -91,7 +59,14 @@ void Foam::fsi::shapeTemplate::checkEntries(const dictionary& dict) const
     {
         elastic_->checkEntries(materialDict_);
     }
-    else if (dict.found("admm"))
+    if (!held_.empty() && (membrane_.valid() || sheet_.valid()))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'hold' in dictionary " << dict.name()
+            << " is for elastic and rigid bodies, not for a material of type"
+            << " membrane" << exit(FatalIOError);
+    }
+    if (!iterates && dict.found("admm"))
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'admm' in dictionary " << dict.name()
@@ -149,10 +124,14 @@ Foam::fsi::shapeTemplate::shapeTemplate
     const shapeMesh& mesh,
     const scalar nodeSpacing,
     const scalar thickness,
-    const direction nDims
+    const direction nDims,
+    const point& origin
 )
 :
-    shapeTemplate(name, dict, mesh, nodeSpacing, thickness, nDims, true)
+    shapeTemplate
+    (
+        name, dict, mesh, nodeSpacing, thickness, nDims, true, origin
+    )
 {}
 
 
@@ -164,7 +143,8 @@ Foam::fsi::shapeTemplate::shapeTemplate
     const scalar nodeSpacing,
     const scalar thickness,
     const direction nDims,
-    const bool newMaterial
+    const bool newMaterial,
+    const point& origin
 )
 :
     name_(name),
@@ -183,14 +163,31 @@ Foam::fsi::shapeTemplate::shapeTemplate
       : new elasticMaterial(materialDict_, nDims, membrane_.valid())
     ),
     youngsModulus_(elastic_.valid() ? elastic_->youngsModulus : GREAT),
-    admm_(dict.subOrEmptyDict("admm"), nDims),
+    admm_
+    (
+        dict.subOrEmptyDict("admm"),
+        nDims,
+        dict.subOrEmptyDict("hold").size() > 0
+    ),
     mesh_
     (
         rigid_ || sheet_.valid() || mesh.elements.empty()
       ? withoutElements(mesh, nDims, sheet_.valid())
       : mesh
     ),
-    springs_(springNetwork::springs(mesh_, membrane_.valid()))
+    springs_(springNetwork::springs(mesh_, membrane_.valid())),
+    held_
+    (
+        newMaterial
+      ? heldNodes
+        (
+            dict.subOrEmptyDict("hold"),
+            SubList<point>(mesh_.points, heldNodesOf(mesh_)),
+            origin,
+            nDims
+        )
+      : heldNodes(dict, mesh_.points.size())
+    )
 {
     checkEntries(dict);
     if (elements().empty())
@@ -207,7 +204,7 @@ Foam::fsi::shapeTemplate::shapeTemplate
 
 Foam::wordList Foam::fsi::shapeTemplate::keys()
 {
-    return {"shape", "mesh", "material", "admm"};
+    return {"shape", "mesh", "material", "admm", "hold"};
 }
 
 

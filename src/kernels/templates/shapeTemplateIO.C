@@ -24,6 +24,7 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
     writeMesh(os, mesh_);
     putList(os, "springConstants", springConstants_);
     putList(os, "nodeMasses", nodeMasses_);
+    held_.write(os);
 
     os.precision(oldPrecision);
 }
@@ -41,7 +42,8 @@ Foam::fsi::shapeTemplate::shapeTemplate(const dictionary& written)
         readPositive(written, "nodeSpacing"),
         readPositive(written, "thickness"),
         direction(getEntry<label>(written, "nDims")),
-        false
+        false,
+        point(0, 0, 0)
     )
 {
     springConstants_ = writtenShape::springConstants(written, springs_.size());

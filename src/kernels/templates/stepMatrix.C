@@ -19,9 +19,10 @@ static void addNodesAndSprings
     matrixEntries& entries
 )
 {
-    forAll(shape.nodeMasses(), nodei)
+    const scalarField masses(stepMasses(shape, dt));
+    forAll(masses, nodei)
     {
-        entries.emplace_back(nodei, nodei, shape.nodeMasses()[nodei]);
+        entries.emplace_back(nodei, nodei, masses[nodei]);
     }
     const scalarField weights(sqr(dt)*shape.springWeights(dt));
     forAll(shape.springs(), springi)
@@ -68,6 +69,37 @@ static void addElements
 
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::fsi::stepMasses
+(
+    const shapeTemplate& shape,
+    const scalar dt
+)
+{
+    scalarField masses(shape.nodeMasses());
+    if (!shape.held().empty())
+    {
+        // A clamp is far heavier than the body and its stiffness
+        const scalar size =
+            shape.nDims() == 2
+          ? shape.thickness()
+          : std::cbrt(shape.referenceVolume());
+        const scalar modulus = shape.rigid() ? 0 : shape.youngsModulus();
+        const scalarField added
+        (
+            shape.held().masses
+            (
+                dt, 1e8*(shape.mass() + sqr(dt)*modulus*size)
+            )
+        );
+        forAll(added, i)
+        {
+            masses[shape.held().nodes()[i]] += added[i];
+        }
+    }
+    return masses;
+}
+
 
 Eigen::SparseMatrix<double> Foam::fsi::stepMatrix
 (

@@ -48,7 +48,8 @@ const Foam::dictionary& Foam::fsi::writtenShape::checked
         {
             "FoamFile", "name", "nDims", "thickness", "nodeSpacing",
             "material", "admm", "nBoundaryNodes", "points", "faces",
-            "elements", "springConstants", "nodeMasses"
+            "elements", "springConstants", "nodeMasses", "heldNodes",
+            "heldStiffness"
         }
     );
     checkSubDicts(dict, {"material", "admm"});

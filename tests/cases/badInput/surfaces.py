@@ -42,12 +42,6 @@ def cuboid(a, b, c, centre=(0, 0, 0)):
     return triangles
 
 
-def turned(triangles):
-    """The first one with its front inside."""
-    a, b, c = triangles[0]
-    return [(a, c, b)] + triangles[1:]
-
-
 def crossed(triangles):
     """A corner drawn through the opposite side."""
     tip = triangles[0][0]
@@ -73,9 +67,9 @@ REFUSED = {
     "a surface that is not closed": (
         "open.stl", stl(BOX[1:]), "", MIDDLE,
         ("'file'", "open.stl", "not closed", "open edges")),
-    "a surface that is not oriented": (
-        "turned.stl", stl(turned(BOX)), "", MIDDLE,
-        ("'file'", "turned.stl", "not oriented", "front meets back")),
+    "a vessel that can move": (
+        "vessel.stl", stl(BOX), "inside yes;", MIDDLE,
+        ("'inside'", "rigid", "fixed")),
     "a surface that cuts itself": (
         "crossed.stl", stl(crossed(BOX)), "", MIDDLE,
         ("'file'", "crossed.stl", "triangles that meet")),

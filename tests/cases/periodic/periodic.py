@@ -104,6 +104,13 @@ def check_collision(report, folder):
                    for polygon in results.outlines(case, "0.3").values()]
         report.check(f"centres are in the domain, {name}",
                      all(0 <= x <= 1 for c in centres for x in c), centres)
+        ends = [results.table(c, "objects.csv")[-2:] for c in (middle, case)]
+        apart = max(abs(b["unwrapped" + d] - a["unwrapped" + d]
+                        - (start[k] + shift[k]) % 1 + start[k])
+                    for a, b, start in zip(*ends, COLLIDING)
+                    for k, d in enumerate("XY"))
+        report.check(f"unwrapped places do not jump, {name}",
+                     apart <= TOLERANCE, f"{apart:.2e} apart")
         state = results.read(case, "0.3/uniform/fsiObjects/disc")
         report.check(f"crossings are counted, {name}",
                      any(results.numbers(state, "periods")),

@@ -54,6 +54,13 @@ def check_plots(report, case):
                  status == 0 and names == ["deformation.png", "velocity.png",
                                            "contacts.png", "maxSpeed.png"],
                  text)
+    status, names, text = plot(case, "-column", "velocity,msd", "-x",
+                               "centroidX")
+    report.check("columns over another one, mean-square displacement",
+                 status == 0 and names == ["velocity.png", "msd.png"], text)
+    status, names, text = plot(case, "-column", "D", "-x", "colour")
+    report.check("another column that there is not is refused",
+                 status == 1 and "colour" in text and "forceX" in text, text)
     status, names, text = plot(case, "-column", "colour")
     report.check("a column that there is not is refused, with those there are",
                  status == 1 and "colour" in text and "forceX" in text

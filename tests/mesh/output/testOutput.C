@@ -165,7 +165,7 @@ TEST(ObjectRecord, samplesGeometryAndMotion)
 {
     boxMesh box(labelVector(8, 8, 1), 2);
     const autoPtr<population> objects = someObjects::make(box.time());
-    const List<objectRecord> records(objectRecord::sample(*objects));
+    const List<objectRecord> records(objectRecord::sample(*objects, Zero));
 
     ASSERT_EQ(records.size(), 5);
     const objectRecord& disc = records[1];
@@ -211,7 +211,7 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
             record.time = 0.25*stepi;
             writer.writeStep(record);
         }
-        const List<objectRecord> records(objectRecord::sample(*objects));
+        const List<objectRecord> records(objectRecord::sample(*objects, Zero));
         writer.writeRows(0.25, records);
         writer.writeShapes(0.25, *objects);
         writer.writeRows(0.75, records);

@@ -3,6 +3,7 @@
 #include "columnBasis.H"
 #include "denseCholesky.H"
 #include "densePanels.H"
+#include "bodyFreedom.H"
 #include "rigidModes.H"
 
 #include <Eigen/Dense>
@@ -143,7 +144,7 @@ TEST(denseMatrices, rotationsHaveABasisOfThreeColumns)
     const Eigen::MatrixXd positions(numbers(n, 9));
     std::vector<Eigen::MatrixXd> modes
     (
-        rigidModes::rotations(masses, positions, 3)
+        rigidModes::rotations(masses, positions, 3, bodyFreedom(3).rotations())
     );
     ASSERT_EQ(modes.size(), 3u);
     EXPECT_EQ(columnBasis(modes, 3).start(3), 9);
@@ -174,7 +175,7 @@ TEST(denseMatrices, aCopysBasisDoesNotDependOnTheOthers)
     const Eigen::MatrixXd positions(numbers(30, 9));
     std::vector<Eigen::MatrixXd> modes
     (
-        rigidModes::rotations(masses, positions, 3)
+        rigidModes::rotations(masses, positions, 3, bodyFreedom(3).rotations())
     );
     columnBasis all(modes, 3);
     for (Eigen::MatrixXd& mode : modes)

@@ -14,6 +14,8 @@ void Foam::fsi::contactBodies::reset(const surfaceSet& surfaces)
     {
         bodies_[objecti].id = objecti;
     }
+    sheltered_.setSize(nNodes);
+    sheltered_ = false;
     modes_.setSize(maxModes*nNodes);
     areas_.setSize(nNodes);
     areas_ = 0;

@@ -59,8 +59,10 @@ void Foam::fsi::pairFinder::find
             return !bodies[objecti].prescribed && !bodies[objecti].guest;
         };
         n +=
-            pushed(surfaces.pointObject()[kept.node])
-         || (kept.other >= 0 && pushed(kept.other));
+            kept.other >= 0
+          ? pushed(surfaces.pointObject()[kept.node]) || pushed(kept.other)
+          : pushed(surfaces.pointObject()[kept.node])
+         && !bodies.sheltered(kept.node);
     }
     found.pairs.resize(n);
 }

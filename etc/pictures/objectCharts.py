@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Charts of etc/plot from the columns of objects.csv."""
+
+import statistics
+
+import tables
+
+# Units of columns, by their beginning
+UNITS = {
+    "time": "s", "unwrapped": "m",
+    "area": "m$^2$", "volume": "m$^3$", "perimeter": "m", "centroid": "m",
+    "velocity": "m/s", "angularVelocity": "rad/s", "force": "N",
+    "torque": "N m", "smallestGap": "m", "halfAxis": "m",
+    "inclination": "rad", "phase": "rad", "flowAngle": "rad",
+    "kineticEnergy": "J", "elasticEnergy": "J", "contactEnergy": "J",
+    "deltaT": "s", "maxSpeed": "m/s", "fluidVelocity": "m/s",
+    "objectVelocity": "m/s", "areaChange": "-",
+}
+# More objects than these are drawn in grey, with their median
+NAMED_OBJECTS = 10
+
+
+def unit_of(name):
+    """The unit of a column, for an axis."""
+    known = [key for key in UNITS if name.startswith(key)]
+    return f"{name} [{UNITS[max(known, key=len)]}]" if known else name
+
+
+def mean_square_displacement(axes, lines):
+    """Mean of |x - x0|^2 over the objects that were there at first."""
+    directions = [n for n in tables.columns(lines)
+                  if n.startswith("unwrapped")]
+    start = {}
+    for line in lines:
+        start.setdefault(line["object"], line)
+    first = min(line["time"] for line in lines)
+    times = sorted({line["time"] for line in lines})
+    squares = {time: [] for time in times}
+    for line in lines:
+        origin = start[line["object"]]
+        if origin["time"] == first:
+            squares[line["time"]].append(
+                sum((line[n] - origin[n])**2 for n in directions))
+    axes.plot([t - first for t in times if squares[t]],
+              [statistics.mean(squares[t]) for t in times if squares[t]])
+    axes.set_ylabel("mean-square displacement [m$^2$]")
+
+
+def object_curves(axes, lines, name, along="time"):
+    """A line per object; of many the median as well, over the time."""
+    ids = sorted({line["object"] for line in lines})
+    many = len(ids) > NAMED_OBJECTS
+    for number in ids:
+        own = [line for line in lines if line["object"] == number]
+        axes.plot(tables.column(own, along), tables.column(own, name),
+                  label=None if many else f"{int(number)}", linewidth=1,
+                  **({"color": "0.7"} if many else {}))
+    if many and along == "time":
+        times = sorted({line["time"] for line in lines})
+        axes.plot(times, [
+            statistics.median(tables.column(
+                [line for line in lines if line["time"] == time], name))
+            for time in times], color="C0", label="median")
+    axes.set_ylabel(unit_of(name))
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(title=None if many else "object", ncols=2,
+                    fontsize="small")
