@@ -17,6 +17,7 @@ import budget
 import cavity
 import common
 import cylinder
+import dilute
 import discs
 import fixedWalls
 import flap
@@ -36,7 +37,7 @@ import vessel
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, resistances, suspension, flap,
-           vessel)
+           vessel, dilute)
 
 
 def collected(name):

@@ -26,10 +26,14 @@ Foam::tmp<Foam::vectorField> Foam::fsi::objectContact::lessStandstill
 }
 
 
-void Foam::fsi::objectContact::respond(nodeVelocities& v) const
+void Foam::fsi::objectContact::respond
+(
+    const vectorField& nodal,
+    nodeVelocities& v
+) const
 {
     nodeLayout::groupNodal force;
-    bodies_.layout().toGroups(force_, force);
+    bodies_.layout().toGroups(nodal, force);
     nodeLayout::groupNodal& velocities = v.change();
     forAll(velocities, groupi)
     {
@@ -60,7 +64,7 @@ void Foam::fsi::objectContact::push
     if (!explicitForces())
     {
         calculate(lessStandstill(v.surface(), step), step);
-        respond(v);
+        respond(force_, v);
     }
 }
 
@@ -71,6 +75,7 @@ void Foam::fsi::objectContact::limit
     const stepLength& step
 )
 {
+    vectorField limiting;
     const label nPushed = contact_.limit
     (
         surfaces(),
@@ -78,12 +83,13 @@ void Foam::fsi::objectContact::limit
         nodes_,
         walls_,
         step.tau,
-        force_
+        limiting
     );
     nLimited_ = label(bodies_.ranks().largest(nPushed));
     if (nLimited_ > 0)
     {
-        respond(v);
+        respond(limiting, v);
+        force_ += limiting;
     }
 }
 

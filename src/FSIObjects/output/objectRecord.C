@@ -104,6 +104,11 @@ void Foam::fsi::objectRecord::exchange(copyValues& values)
     {
         values.number(*each);
     }
+    for (direction i = 0; i < symmTensor::nComponents; ++i)
+    {
+        values.number(stresslet[i]);
+        values.number(contactStress[i]);
+    }
     for
     (
         vector* each :
@@ -159,7 +164,11 @@ Foam::List<Foam::fsi::objectRecord> Foam::fsi::objectRecord::gathered
 }
 
 
-Foam::wordList Foam::fsi::objectRecord::columns(const direction nDims)
+Foam::wordList Foam::fsi::objectRecord::columns
+(
+    const direction nDims,
+    const bool stresses
+)
 {
     wordList names
     ({
@@ -198,6 +207,13 @@ Foam::wordList Foam::fsi::objectRecord::columns(const direction nDims)
         );
     }
     names.append(wordList({"unwrappedX", "unwrappedY", "unwrappedZ"}));
+    for (const word name : {"stresslet", "contactStress"})
+    {
+        for (const char* part : {"XX", "XY", "XZ", "YY", "YZ", "ZZ"})
+        {
+            names.append(stresses ? wordList(1, name + part) : wordList());
+        }
+    }
     return names;
 }
 
@@ -206,7 +222,8 @@ void Foam::fsi::objectRecord::write
 (
     csvTable& table,
     const scalar time,
-    const direction nDims
+    const direction nDims,
+    const bool stresses
 ) const
 {
     csvTable::rowWriter row(table);
@@ -224,6 +241,14 @@ void Foam::fsi::objectRecord::write
             << inclination << phases << stretch;
     }
     row << unwrapped;
+    for (direction i = 0; stresses && i < symmTensor::nComponents; ++i)
+    {
+        row << stresslet[i];
+    }
+    for (direction i = 0; stresses && i < symmTensor::nComponents; ++i)
+    {
+        row << contactStress[i];
+    }
 }
 
 

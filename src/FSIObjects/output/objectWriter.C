@@ -2,6 +2,7 @@
 
 #include "objectWriter.H"
 #include "dictionaryCheck.H"
+#include "errorOf.H"
 #include "openfoamTypes.H"
 #include "objectPolyData.H"
 #include "surfacePredicates.H"
@@ -17,6 +18,15 @@ namespace fsi
 
 static const char* const crossingAdvice =
     "take a smaller deltaT or a finer mesh, or stiffer objects";
+
+
+//- Folder of the tables of a run
+static fileName folderOf(const Time& time)
+{
+    return
+        time.globalPath()/outputFolder()/bodyGroups::folder
+       /time.timeName(time.startTime().value());
+}
 
 
 //- Ids of the free objects whose surface cuts itself
@@ -57,14 +67,15 @@ Foam::fsi::objectWriter::objectWriter
     stopsAtCrossing_
     (
         readChoice(dict, "crossing", "stop", {"stop", "warn"}) == "stop"
-    )
+    ),
+    stresses_(readEntryOr<Switch>(dict, "rheology", false))
 {
     checkKeys
     (
         dict,
         {
             "surfaces", "springs", "globalEvery", "objectsEvery", "log",
-            "crossing"
+            "crossing", "rheology"
         }
     );
     if (!Pstream::master())
@@ -72,15 +83,14 @@ Foam::fsi::objectWriter::objectWriter
         return;
     }
 
-    const fileName folder
-    (
-        time.globalPath()/outputFolder()/bodyGroups::folder
-       /time.timeName(time.startTime().value())
-    );
+    const fileName folder(folderOf(time));
 
     objectTable_.reset
     (
-        new csvTable(folder/"objects.csv", objectRecord::columns(nDims_))
+        new csvTable
+        (
+            folder/"objects.csv", objectRecord::columns(nDims_, stresses_)
+        )
     );
     globalTable_.reset
     (
@@ -98,6 +108,22 @@ Foam::fsi::objectWriter::objectWriter
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fsi::csvTable> Foam::fsi::objectWriter::newTable
+(
+    const Time& time,
+    const word& name,
+    const wordList& columns
+)
+{
+    return autoPtr<csvTable>
+    (
+        Pstream::master()
+      ? new csvTable(folderOf(time)/name + ".csv", columns)
+      : nullptr
+    );
+}
+
 
 void Foam::fsi::objectWriter::writeStep(const stepRecord& record)
 {
@@ -118,7 +144,7 @@ void Foam::fsi::objectWriter::writeRows
     {
         for (const objectRecord& record : records)
         {
-            record.write(objectTable_(), time, nDims_);
+            record.write(objectTable_(), time, nDims_, stresses_);
         }
     }
 }

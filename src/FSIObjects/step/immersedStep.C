@@ -235,7 +235,7 @@ void Foam::fsi::immersedStep::moveWalls()
     {
         balance_.beginMove(U_, objects_.bodies().surfaces().velocities());
     }
-    std::vector<vectorField*> nodal(balance_.nodal());
+    auto nodal(objects_.contact().withForces(balance_.nodal()));
     nodal.push_back(&hydrodynamicForce_);
     beginMove(nodal);
     if (countsLayer())

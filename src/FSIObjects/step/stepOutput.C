@@ -3,6 +3,7 @@
 #include "stepOutput.H"
 #include "IOmanip.H"
 #include "meanFluidVelocity.H"
+#include "objectStresses.H"
 #include "openfoamMesh.H"
 #include "restartFiles.H"
 #include "sumOverRanks.H"
@@ -69,7 +70,13 @@ Foam::fsi::stepOutput::stepOutput(fsiObjects& objects)
         objects.grid().mesh(),
         dimensionedScalar("value", dimless, -1)
     )
-{}
+{
+    if (writer_.stressesWanted())
+    {
+        objects_.contact().keepForces();
+        rheology_.reset(new rheology(objects_));
+    }
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -115,6 +122,14 @@ void Foam::fsi::stepOutput::report(const timeError& error)
 }
 
 
+void Foam::fsi::stepOutput::writeRheology(const vectorField& hydrodynamicForce)
+{
+    symmTensorField stresslets, contactStresses;
+    objectStresses(objects_, hydrodynamicForce, stresslets, contactStresses);
+    rheology_->write(stresslets, contactStresses);
+}
+
+
 void Foam::fsi::stepOutput::writeRows(const vectorField& hydrodynamicForce)
 {
     const population& bodies = objects_.bodies();
@@ -130,6 +145,19 @@ void Foam::fsi::stepOutput::writeRows(const vectorField& hydrodynamicForce)
         const vector& force = hydrodynamicForce[nodei];
         r.force += force;
         r.torque += (surfaces.points()[nodei] - r.centroid) ^ force;
+    }
+    if (rheology_.valid())
+    {
+        symmTensorField stresslets, contactStresses;
+        objectStresses
+        (
+            objects_, hydrodynamicForce, stresslets, contactStresses
+        );
+        forAll(records, objecti)
+        {
+            records[objecti].stresslet = stresslets[objecti];
+            records[objecti].contactStress = contactStresses[objecti];
+        }
     }
     // Pairs of an object that no one pushes are at the ranks of the others
     const contactStatistics& contacts = objects_.contact().statistics();
@@ -185,6 +213,10 @@ void Foam::fsi::stepOutput::write
 )
 {
     report(error);
+    if (rheology_.valid() && writer_.stepWanted())
+    {
+        writeRheology(hydrodynamicForce);
+    }
     const fvMesh& mesh = objects_.grid().mesh();
     const bool output = mesh.time().writeTime();
     if (output || writer_.objectsWanted())

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyMotion.H"
-#include "bodyFreedom.H"
 #include "dictionaryCheck.H"
 #include "openfoamFunction.H"
 #include "openfoamVersion.H"
@@ -60,10 +59,11 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
                 readFunction<vector>(dict, load);
             }
         }
-        wordList known(bodyFreedom::keys());
-        known.append(loads);
-        known.append("type");
-        checkKeys(dict, known);
+        const wordList freedoms({"translations", "rotations"});
+        checkKeys
+        (
+            dict, {"type", loads[0], loads[1], freedoms[0], freedoms[1]}
+        );
         return autoPtr<bodyMotion>();
     }
 

@@ -3,6 +3,7 @@
 #include "bodyFreedom.H"
 #include "errorOf.H"
 #include "openfoamVersion.H"
+#include "wordList.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

@@ -121,6 +121,43 @@ def check_membranes(report, cells):
         report.check(f"area of {name}", change < 1e-10, f"{change}")
 
 
+def sheared(folder, name, parts=()):
+    """Rows of rheology.csv of two rigid discs in a shear box, and the sum of
+    their stresslets over the volume of the box, on ranks if parts are given."""
+    case = fsiCase.Case(
+        os.path.join(folder, name), box=(0, 0, 2, 1), cells=(48, 24),
+        viscosity=5, cyclic="x", walls={"top": "(0.5 0 0)",
+                                        "bottom": "(-0.5 0 0)"},
+        shapes="disc { shape { type circle; radius 0.2; } "
+               "material { type rigid; density 1; } }",
+        placements="a { type listed; shape disc; objects "
+                   "({ centre (0.6 0.5 0); } { centre (1.4 0.46 0); }); }",
+        properties="output { rheology yes; }", deltaT=0.005, endTime=0.3,
+        writeInterval=60, p_tolerance=1e-9, U_tolerance=1e-10).set_up()
+    case.run("fsiPisoFoam", ranks=case.decompose(*parts) if parts else 1)
+    stresslets = [row["stressletXY"]
+                  for row in results.table(case.path, "objects.csv")]
+    return (results.table(case.path, "rheology.csv"),
+            sum(stresslets)/(2/24))
+
+
+def check_rheology(report, folder):
+    """The stress of the walls and that of fluid and bodies agree."""
+    rows, stresslets = sheared(folder, "rheology")
+    last = rows[-1]
+    apart = abs(last["viscosity"]/last["wallViscosity"] - 1)
+    print(f"    viscosity {last['wallViscosity']:.4f} by the walls, "
+          f"{last['viscosity']:.4f} by the parts of the stress")
+    report.check("walls and bodies give the same viscosity",
+                 last["wallViscosity"] > 1.2 and apart < 0.03, f"{last}")
+    report.check("stresslets of the objects are the objects' stress",
+                 abs(stresslets - last["objectStress"])
+                 < 1e-6*abs(stresslets), f"{stresslets}, {last}")
+    other = sheared(folder, "rheologyRanks", (3, 1))[0][-1]
+    worst = max(abs(other[key] - last[key]) for key in last)
+    report.check("rheology on three ranks", worst < 1e-6, f"{worst}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -132,6 +169,7 @@ def main(folder):
                            os.path.join(folder, "membranes"), 11)
     if cells:
         check_membranes(report, cells)
+    report.attempt("rheology", check_rheology, report, folder)
 
 
 if __name__ == "__main__":
