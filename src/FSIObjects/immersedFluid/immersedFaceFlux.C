@@ -8,7 +8,8 @@
 Foam::fsi::fadingPart Foam::fsi::immersedFlux::fadingGradient
 (
     const volVectorField& U,
-    const scalar viscosity
+    const scalar viscosity,
+    const scalar eigenvalue
 ) const
 {
     const scalar h = geometry_.grid().spacing();
@@ -20,7 +21,7 @@ Foam::fsi::fadingPart Foam::fsi::immersedFlux::fadingGradient
     }
     else
     {
-        part.set(deltaT*viscosity*4/sqr(h));
+        part.set(deltaT*viscosity*eigenvalue/sqr(h));
     }
     return part;
 }
@@ -97,7 +98,8 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const volVectorField& gradient,
     const volScalarField& p,
     const vectorField& wallVelocity,
-    const scalar viscosity
+    const scalar viscosity,
+    const scalar eigenvalue
 ) const
 {
     const scalar deltaT = rule_.length().tau;
@@ -114,7 +116,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const surfaceScalarField& open = geometry_.openArea();
     const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar area = geometry_.grid().faceArea();
-    const fadingPart lost(fadingGradient(U, viscosity));
+    const fadingPart lost(fadingGradient(U, viscosity, eigenvalue));
     const scalar ofCut = rule_.secondOrder() ? 0 : 1;
     const labelUList& own = p.mesh().owner();
     const labelUList& nei = p.mesh().neighbour();

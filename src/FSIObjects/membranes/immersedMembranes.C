@@ -142,17 +142,31 @@ Foam::fsi::immersedMembranes::immersedMembranes
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::fsi::immersedMembranes::alone(const population& bodies)
+{
+    for (const bodyGroup& group : bodies.groups())
+    {
+        if (group.hasWalls())
+        {
+            return false;
+        }
+    }
+    return bodies.groups().size() > 0;
+}
+
+
+
 void Foam::fsi::immersedMembranes::spread
 (
     const volVectorField& U,
-    const scalar deltaT
+    const stepLength& step
 )
 {
     if (!active())
     {
         return;
     }
-    setForces(deltaT);
+    setForces(step.dt);
     faces_->setZero(values_);
     const pointField& x = bodies_.surfaces().points();
     forMembranes([&](const label start, const label n)
@@ -196,13 +210,19 @@ void Foam::fsi::immersedMembranes::addTo(fvVectorMatrix& UEqn) const
 void Foam::fsi::immersedMembranes::correctPressure
 (
     const volScalarField& last,
-    const scalar tau,
+    const stepLength& step,
     volScalarField& p
 ) const
 {
-    if (contrast_.valid())
+    if (active())
     {
-        contrast_->correctPressure(last, tau, p);
+        // A larger viscosity inside would make short waves grow
+        scalarField nu(p.size(), fluid_.viscosity);
+        if (contrast_.valid())
+        {
+            nu += min(contrast_->more(), scalar(0));
+        }
+        addRotationalPart(geometry_, nu, last, step.tau, p);
     }
 }
 

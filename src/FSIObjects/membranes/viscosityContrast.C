@@ -5,11 +5,8 @@
 #include "fvcSurfaceIntegrate.H"
 #include "insideFraction.H"
 #include "openLaplacian.H"
-#include "sumOverRanks.H"
 #include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
-
-#include <cmath>
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -45,45 +42,12 @@ Foam::fsi::viscosityContrast::viscosityContrast
         ),
         geometry.grid().mesh(),
         dimensionedScalar(dimVelocity*dimLength, Zero)
-    )
+    ),
+    least_(0)
 {}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-Foam::scalarField Foam::fsi::viscosityContrast::laplacian
-(
-    const volScalarField& f,
-    surfaceScalarField& flux
-) const
-{
-    const cartesianMesh& grid = geometry_.grid();
-    flux = dimensionedScalar(dimless, Zero);
-    subtractGradient(geometry_, f, grid.spacing()/grid.faceArea(), flux);
-    scalarField sum(f.size(), Zero);
-    subtractOutflow(flux, sum);
-    return sum;
-}
-
-
-void Foam::fsi::viscosityContrast::smooth
-(
-    const scalar D,
-    volScalarField& f,
-    surfaceScalarField& flux
-) const
-{
-    // A wave with the eigenvalue c of the Laplacian times h^2 keeps the part
-    // (1 - c/(4 d))^n, about 1/(1 + D c^2/4)
-    const label perStep = 4*geometry_.grid().nDims();
-    const label n = label(std::ceil(3.3*std::sqrt(D)));
-    for (label i = 0; i < n; ++i)
-    {
-        f.correctBoundaryConditions();
-        f.primitiveFieldRef() += laplacian(f, flux)/perStep;
-    }
-}
-
 
 Foam::scalar Foam::fsi::viscosityContrast::moreInside
 (
@@ -148,6 +112,13 @@ bool Foam::fsi::viscosityContrast::wanted
 
 void Foam::fsi::viscosityContrast::update(const population& bodies)
 {
+    for (const bodyGroup& group : bodies.groups())
+    {
+        if (!group.hasWalls())
+        {
+            least_ = min(least_, moreInside(group.shape()));
+        }
+    }
     const staggeredLattice& lattice = faces_.lattice();
     insideFraction scan(lattice);
     scalarField fraction(lattice.size(), Zero), more(fraction);
@@ -207,10 +178,13 @@ void Foam::fsi::viscosityContrast::add(fvVectorMatrix& UEqn) const
         addPatchDiffusion(patchi, pm*pm.patch().magSf(), UEqn);
     }
 
+    // The explicit part must be smaller than the implicit one
     const tmp<volTensorField> tgradU(fvc::grad(UEqn.psi()));
+    const dimensionedScalar least("least", moreAtFaces_.dimensions(), least_);
     const surfaceVectorField stress
     (
-        moreAtFaces_*(fvc::interpolate(tgradU()) & mesh.Sf())
+        (moreAtFaces_ - least*geometry_.fluidFace())
+       *(fvc::interpolate(tgradU()) & mesh.Sf())
     );
     vectorField force(mesh.nCells(), Zero);
     fvc::surfaceIntegrate(force, stress);
@@ -223,56 +197,6 @@ void Foam::fsi::viscosityContrast::add(fvVectorMatrix& UEqn) const
             source[celli] += mesh.V()[celli]*force[celli];
         }
     }
-}
-
-
-void Foam::fsi::viscosityContrast::correctPressure
-(
-    const volScalarField& last,
-    const scalar tau,
-    volScalarField& p
-) const
-{
-    const fvMesh& mesh = p.mesh();
-    const scalar perNu = tau/sqr(geometry_.grid().spacing());
-    const scalarField nu(fluid_.viscosity + more_.primitiveField());
-
-    // (h^2/dt) div u* is what the change of the pressure makes of it
-    surfaceScalarField flux
-    (
-        IOobject("flux", nameOf(mesh.time()), mesh),
-        mesh,
-        dimensionedScalar(dimless, Zero)
-    );
-    volScalarField divergence
-    (
-        IOobject("divergence", nameOf(mesh.time()), mesh),
-        mesh,
-        dimensionedScalar(dimless, Zero),
-        zeroGradientFvPatchScalarField::typeName
-    );
-    divergence.primitiveFieldRef() =
-        laplacian(volScalarField("change", p - last), flux);
-    smooth(perNu*overRanks(max(nu), maxOp<scalar>()), divergence, flux);
-
-    boolList whole(geometry_.fluidCell());
-    const surfaceScalarField& open = geometry_.openArea();
-    forAll(open, facei)
-    {
-        if (open[facei] < 1)
-        {
-            whole[mesh.owner()[facei]] = false;
-            whole[mesh.neighbour()[facei]] = false;
-        }
-    }
-    forAll(p, celli)
-    {
-        if (whole[celli])
-        {
-            p[celli] -= perNu*nu[celli]*divergence[celli];
-        }
-    }
-    p.correctBoundaryConditions();
 }
 
 

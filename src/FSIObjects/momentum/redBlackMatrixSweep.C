@@ -151,8 +151,7 @@ Foam::scalar Foam::fsi::redBlackMatrix::dropAtOnce() const
 void Foam::fsi::redBlackMatrix::addCorrection()
 {
     const scalar scale = 1/correctionScale_;
-    const label nValues = source_.size();
-    for (label i = 0; i < nValues; ++i)
+    forAll(source_, i)
     {
         x_[i] += scale*correction_[i];
     }

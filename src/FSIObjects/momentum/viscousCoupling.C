@@ -20,6 +20,7 @@ Foam::fsi::viscousCoupling::viscousCoupling
     fluid_(fluid),
     log_(log),
     matrix_(geometry.grid()),
+    multigrid_(geometry.grid()),
     links_(matrix_, geometry.grid().nDims())
 {}
 

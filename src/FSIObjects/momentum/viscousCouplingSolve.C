@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "viscousCoupling.H"
-#include "dictionaryCheck.H"
 #include "linkForces.H"
-#include "openfoamMesh.H"
 #include "shortWaveStress.H"
-#include "solverPerformance.H"
+#include "sweepControls.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -58,13 +56,10 @@ void Foam::fsi::viscousCoupling::sweep
     nodeLayout::groupNodal& v
 )
 {
-    const dictionary& controls =
-        solverControls(geometry_.grid().mesh(), result.fieldName());
-    const label maxIter = readAtLeast(controls, "maxIter", 1000, 1);
-    const scalar tolerance =
-        controls.lookupOrDefault<scalar>("tolerance", 1e-7);
-    const scalar relTol = controls.lookupOrDefault<scalar>("relTol", 0);
-
+    const sweepControls controls
+    (
+        geometry_.grid().mesh(), result.fieldName()
+    );
     setWalls(v);
     const scalar norm = matrix_.sourceNorm() + VSMALL;
     startCorrection(norm);
@@ -90,11 +85,7 @@ void Foam::fsi::viscousCoupling::sweep
         overRelax(v);
         moveWalls(v);
         relaxation_.observe(result.finalResidual());
-    } while
-    (
-        ++result.nIterations() < maxIter
-     && !result.checkConvergence(tolerance, relTol)
-    );
+    } while (controls.more(result));
     matrix_.addCorrection();
 }
 
@@ -112,16 +103,23 @@ void Foam::fsi::viscousCoupling::solve
     vectorField& force
 )
 {
-    solverPerformance result("fsiSOR", U.name());
-
     updateResponses(step, predicted);
     setMatrix(UEqn, change);
+    solverPerformance result("fsiSOR", U.name());
     nodeLayout::groupNodal boundary
     (
         bodies_.layout().boundaryOf(predicted)
     );
-    nodeVelocity(boundary);
-    sweep(result, boundary);
+    if (momentumMultigrid::pays(bodies_, matrix_))
+    {
+        setWalls(boundary);
+        multigrid_.solve(UEqn, matrix_, result);
+    }
+    else
+    {
+        nodeVelocity(boundary);
+        sweep(result, boundary);
+    }
     log_.solved(result);
     // All components are swept together
     keepResiduals

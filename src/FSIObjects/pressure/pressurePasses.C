@@ -29,9 +29,13 @@ bool Foam::fsi::pressurePasses::worse(const scalar nodes, const scalar fluid)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::pressurePasses::pressurePasses(const dictionary& dict)
+Foam::fsi::pressurePasses::pressurePasses
+(
+    const dictionary& dict,
+    const label most
+)
 :
-    most_(readAtLeast(dict, "passes", 4, 1)),
+    most_(readAtLeast(dict, "passes", most, 1)),
     tolerance_(readPositive(dict, "passTolerance", 0.002)),
     done_(0),
     error_(0),

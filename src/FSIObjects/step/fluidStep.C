@@ -215,14 +215,15 @@ void Foam::fsi::fluidStep::setFlux
     tmp<surfaceScalarField>& convectiveFlux,
     const volScalarField& p,
     const volVectorField& gradP,
-    const vectorField& wallVelocity
+    const vectorField& wallVelocity,
+    const scalar eigenvalue
 )
 {
     tmp<surfaceScalarField> tnew
     (
         flux_.faceFlux
         (
-            U_, gradP, p, wallVelocity, objects_.fluid().viscosity
+            U_, gradP, p, wallVelocity, objects_.fluid().viscosity, eigenvalue
         )
     );
     if (&convectiveFlux() == &phi_)

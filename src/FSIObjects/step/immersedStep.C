@@ -37,7 +37,7 @@ Foam::fsi::immersedStep::immersedStep
     term_(objects.bodies(), walls_, objects.fluid().density),
     pressure_(objects, geometry_, walls_),
     sudden_(objects, geometry_, walls_),
-    passes_(dict),
+    passes_(dict, immersedMembranes::alone(objects.bodies()) ? 1 : 4),
     balance_
     (
         objects.bodies(),
@@ -75,7 +75,7 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
 
     // Objects as if alone, with the last load of the fluid
     predict(objects_.forces(step()));
-    membranes_.spread(U_, step().dt);
+    membranes_.spread(U_, step());
 
     tmp<surfaceScalarField> convectiveFlux(moved(rule_.flux(phi_)));
     expectedChange change(error_.rate(), step().dt);
@@ -95,7 +95,8 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
         // objects give way
         setFlux
         (
-            convectiveFlux, oldPressure_(), gradient_(), velocity_.surface()
+            convectiveFlux, oldPressure_(), gradient_(), velocity_.surface(),
+            membranes_.fadingEigenvalue()
         );
         solvePressure();
         correctVelocity(sources);
@@ -106,7 +107,7 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
     // The objects get what the fluid lost, and move
     finishFluid(velocity_.surface(), passes_.error());
     finish();
-    membranes_.correctPressure(oldPressure_(), step().tau, p_);
+    membranes_.correctPressure(oldPressure_(), step(), p_);
     objects_.move(velocity_.groups(), step());
 
     // The surfaces are where they are: level set, walls, new cells
