@@ -119,7 +119,13 @@ static void checkControls(const fvMesh& mesh, const word& field)
             << " has no dictionary '" << field << "'" << exit(FatalIOError);
     }
     const dictionary& controls = solverControls(mesh, field);
-    checkKeys(controls, solverKeys());
+    wordList keys(solverKeys());
+    if (field == "U")
+    {
+        // Of viscousCoupling
+        keys.append(wordList({"responseTolerance", "responseMaxIter"}));
+    }
+    checkKeys(controls, keys);
     for (const word key : {"tolerance", "relTol"})
     {
         const scalar value = controls.lookupOrDefault<scalar>(key, 0);

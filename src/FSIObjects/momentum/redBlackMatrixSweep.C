@@ -125,9 +125,8 @@ Foam::scalar Foam::fsi::redBlackMatrix::startFrom
 
 Foam::scalar Foam::fsi::redBlackMatrix::sweep(const scalar relaxation)
 {
-    scalar squares = relax(true, relaxation);
-    squares += relax(false, relaxation);
-    lastResidual_ = norm(squares);
+    const scalar ofRed = relax(true, relaxation);
+    lastResidual_ = norm(ofRed + relax(false, relaxation));
     if (nSweeps_++ == 0)
     {
         firstResidual_ = lastResidual_;

@@ -56,10 +56,7 @@ void Foam::fsi::viscousCoupling::sweep
     nodeLayout::groupNodal& v
 )
 {
-    const sweepControls controls
-    (
-        geometry_.grid().mesh(), result.fieldName()
-    );
+    const sweepControls end(geometry_.grid().mesh(), result.fieldName());
     setWalls(v);
     const scalar norm = matrix_.sourceNorm() + VSMALL;
     startCorrection(norm);
@@ -85,7 +82,7 @@ void Foam::fsi::viscousCoupling::sweep
         overRelax(v);
         moveWalls(v);
         relaxation_.observe(result.finalResidual());
-    } while (controls.more(result));
+    } while (end.more(result));
     matrix_.addCorrection();
 }
 

@@ -107,10 +107,7 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
     }
     passes_.measure
     (
-        viscous_.addResponse
-        (
-            source, guess, alone, U_
-        ),
+        viscous_.addResponse(source, guess, alone, U_),
         U_.mesh().globalData().nTotalCells()*sqr(objects_.restSpeed()),
         objects_.bodies().ranks().largest(largestSpeed(velocity_.groups())),
         largestSpeed(U_, inFluid)
