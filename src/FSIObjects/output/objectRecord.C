@@ -207,12 +207,18 @@ Foam::wordList Foam::fsi::objectRecord::columns
         );
     }
     names.append(wordList({"unwrappedX", "unwrappedY", "unwrappedZ"}));
-    for (const word name : {"stresslet", "contactStress"})
+    if (stresses)
     {
-        for (const char* part : {"XX", "XY", "XZ", "YY", "YZ", "ZZ"})
-        {
-            names.append(stresses ? wordList(1, name + part) : wordList());
-        }
+        names.append
+        (
+            wordList
+            ({
+                "stressletXX", "stressletXY", "stressletXZ",
+                "stressletYY", "stressletYZ", "stressletZZ",
+                "contactStressXX", "contactStressXY", "contactStressXZ",
+                "contactStressYY", "contactStressYZ", "contactStressZZ"
+            })
+        );
     }
     return names;
 }

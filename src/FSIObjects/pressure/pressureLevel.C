@@ -15,7 +15,11 @@ static const Foam::word stateName("fsiPressureLevel");
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::pressureLevel::findCell(const dictionary& controls)
+void Foam::fsi::pressureLevel::findCell
+(
+    const dictionary& controls,
+    const cartesianMesh& grid
+)
 {
     const fvMesh& mesh = p_.mesh();
     if (controls.found("pRefCell"))
@@ -32,7 +36,13 @@ void Foam::fsi::pressureLevel::findCell(const dictionary& controls)
         return;
     }
     const point place(readFinite(controls, "pRefPoint"));
-    cell_ = mesh.findCell(place, polyMesh::FACE_PLANES);
+    const boundBox& box = mesh.bounds();
+    if (box.contains(place))
+    {
+        // Points on a side belong to the cell inside
+        const point middle(0.5*(box.min() + box.max()));
+        cell_ = grid.findCell(place + 1e-9*(middle - place));
+    }
     const labelList cells(gatherOverRanks(cell_));
     while (rank_ < cells.size() && cells[rank_] < 0)
     {
@@ -56,7 +66,11 @@ void Foam::fsi::pressureLevel::add(const scalar value)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::pressureLevel::pressureLevel(volScalarField& p)
+Foam::fsi::pressureLevel::pressureLevel
+(
+    volScalarField& p,
+    const cartesianMesh& grid
+)
 :
     p_(p),
     given_(false),
@@ -75,7 +89,7 @@ Foam::fsi::pressureLevel::pressureLevel(volScalarField& p)
     checkValues(controls, "pRefValue", scalarList(1, value_));
     if (given_)
     {
-        findCell(controls);
+        findCell(controls, grid);
     }
     else if (value_ != 0)
     {

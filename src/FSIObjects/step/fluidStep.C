@@ -87,7 +87,7 @@ Foam::fsi::fluidStep::fluidStep
     gradients_(geometry_),
     momentum_(geometry_, rule_),
     flux_(geometry_, faces_, rule_),
-    level_(p_)
+    level_(p_, objects.grid())
 {
     immersedMomentum::interpolation(phi_);
     stockInput::checkFluid(U_.mesh());
