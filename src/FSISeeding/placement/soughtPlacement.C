@@ -2,6 +2,7 @@
 
 #include "soughtPlacement.H"
 #include "dictionaryCheck.H"
+#include "openfoamVersion.H"
 #include "rotations.H"
 #include "Switch.H"
 
