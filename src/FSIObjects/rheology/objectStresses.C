@@ -38,7 +38,7 @@ static symmTensor surfaceStrain
             velocity += surfaces.velocities()[f[2]];
             area = 0.5*(d ^ (x[f[2]] - x[f[0]]));
         }
-        sum += twoSymm(area*velocity/surfaces.nDims());
+        sum += twoSymm(area*velocity/scalar(surfaces.nDims()));
     }
     return sum;
 }
