@@ -135,7 +135,10 @@ Foam::fsi::immersedMembranes::immersedMembranes
     }
     if (viscosityContrast::wanted(bodies, fluid))
     {
-        contrast_.reset(new viscosityContrast(geometry, *faces_, fluid));
+        contrast_.reset
+        (
+            new viscosityContrast(bodies, geometry, *faces_, fluid)
+        );
     }
 }
 
@@ -153,7 +156,6 @@ bool Foam::fsi::immersedMembranes::alone(const population& bodies)
     }
     return bodies.groups().size() > 0;
 }
-
 
 
 void Foam::fsi::immersedMembranes::spread

@@ -12,6 +12,7 @@
 
 Foam::fsi::viscosityContrast::viscosityContrast
 (
+    const population& bodies,
     const interfaceGeometry& geometry,
     const faceLattice& faces,
     const fluidProperties& fluid
@@ -44,7 +45,15 @@ Foam::fsi::viscosityContrast::viscosityContrast
         dimensionedScalar(dimVelocity*dimLength, Zero)
     ),
     least_(0)
-{}
+{
+    for (const bodyGroup& group : bodies.groups())
+    {
+        if (!group.hasWalls())
+        {
+            least_ = min(least_, moreInside(group.shape()));
+        }
+    }
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -112,13 +121,6 @@ bool Foam::fsi::viscosityContrast::wanted
 
 void Foam::fsi::viscosityContrast::update(const population& bodies)
 {
-    for (const bodyGroup& group : bodies.groups())
-    {
-        if (!group.hasWalls())
-        {
-            least_ = min(least_, moreInside(group.shape()));
-        }
-    }
     const staggeredLattice& lattice = faces_.lattice();
     insideFraction scan(lattice);
     scalarField fraction(lattice.size(), Zero), more(fraction);

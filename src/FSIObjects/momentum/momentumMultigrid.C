@@ -132,7 +132,6 @@ bool Foam::fsi::momentumMultigrid::pays
 }
 
 
-
 void Foam::fsi::momentumMultigrid::solve
 (
     const fvVectorMatrix& equation,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiStep.H"
+#include "needAllObjects.H"
 #include "objectResponse.H"
 #include "projectVersion.H"
 #include "restartFiles.H"
@@ -41,7 +42,6 @@ Foam::autoPtr<Foam::fsi::fsiStep> Foam::fsi::fsiStep::New
 )
 {
     const dictionary& dict = objects.properties().subOrEmptyDict("coupling");
-    const word type(dict.lookupOrDefault<word>("type", "solidImplicit"));
     autoPtr<fsiStep> step
     (
         constructorOf
@@ -49,7 +49,7 @@ Foam::autoPtr<Foam::fsi::fsiStep> Foam::fsi::fsiStep::New
             *dictionaryConstructorTablePtr_,
             objects.properties(),
             "coupling",
-            type
+            couplingType(objects.properties())
         )(objects, flow, dict)
     );
     step->announce();

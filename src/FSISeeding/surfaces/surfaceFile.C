@@ -73,7 +73,8 @@ Foam::fsi::surfaceFile::surfaceFile
     cornerAngle_(degToRad(readPositive(dict, "cornerAngle", 40))),
     surface_(piece.surface),
     origin_(piece.origin),
-    inside_(readEntryOr<Switch>(dict, "inside", false))
+    inside_(readEntryOr<Switch>(dict, "inside", false)),
+    wall_(inside_ ? wallOf(surface_) : shapeMesh())
 {
     checkKeys
     (
@@ -107,7 +108,7 @@ Foam::PtrList<Foam::fsi::shape> Foam::fsi::surfaceFile::allPieces
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fsi::shapeMesh Foam::fsi::surfaceFile::wallOf(shapeMesh vessel) const
+Foam::fsi::shapeMesh Foam::fsi::surfaceFile::wallOf(shapeMesh vessel)
 {
     for (surfaceFace& f : vessel.faces)
     {
@@ -183,9 +184,8 @@ Foam::boundBox Foam::fsi::surfaceFile::bounds() const
     {
         return solidShape::bounds();
     }
-    const shapeMesh wall(wallOf(surface_));
-    const point centre(surfaceTools::centroid(wall.points, wall.faces));
-    return boundBox(pointField(wall.points - centre), false);
+    const point centre(surfaceTools::centroid(wall_.points, wall_.faces));
+    return boundBox(pointField(wall_.points - centre), false);
 }
 
 
@@ -200,8 +200,7 @@ Foam::scalar Foam::fsi::surfaceFile::minimumThickness() const
 
 Foam::scalar Foam::fsi::surfaceFile::volume() const
 {
-    const shapeMesh body(inside_ ? wallOf(surface_) : surface_);
-    return surfaceTools::volume(body.points, body.faces);
+    return surfaceTools::volume(body().points, body().faces);
 }
 
 
@@ -213,8 +212,7 @@ Foam::scalar Foam::fsi::surfaceFile::cornerAngle() const
 
 Foam::point Foam::fsi::surfaceFile::centroid() const
 {
-    const shapeMesh body(inside_ ? wallOf(surface_) : surface_);
-    return origin_ + surfaceTools::centroid(body.points, body.faces);
+    return origin_ + surfaceTools::centroid(body().points, body().faces);
 }
 
 

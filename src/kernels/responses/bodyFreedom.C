@@ -12,15 +12,19 @@ namespace Foam
 namespace fsi
 {
 
-//- Axes of a list that the dictionary has, in the order of the choices
-static bodyFreedom::axes axesOf
+//- Axes of an entry, in the order of the choices; all if there is none
+static bodyFreedom::axes readAxes
 (
     const dictionary& dict,
     const word& key,
-    const wordList& given,
     const bodyFreedom::axes& all
 )
 {
+    if (!dict.found(key))
+    {
+        return all;
+    }
+    const wordList given(readEntry<wordList>(dict, key));
     static const char names[] = "xyz";
     bodyFreedom::axes found;
     wordList valid;
@@ -74,26 +78,8 @@ Foam::fsi::bodyFreedom::bodyFreedom
 :
     bodyFreedom(nDims)
 {
-    if (motion.found("translations"))
-    {
-        translations_ = axesOf
-        (
-            motion,
-            "translations",
-            readEntry<wordList>(motion, "translations"),
-            axes(translations_)
-        );
-    }
-    if (motion.found("rotations"))
-    {
-        rotations_ = axesOf
-        (
-            motion,
-            "rotations",
-            readEntry<wordList>(motion, "rotations"),
-            axes(rotations_)
-        );
-    }
+    translations_ = readAxes(motion, "translations", axes(translations_));
+    rotations_ = readAxes(motion, "rotations", axes(rotations_));
     if (translations_.empty() && rotations_.empty())
     {
         FatalIOErrorInFunction(motion)
