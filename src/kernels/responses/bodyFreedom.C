@@ -12,28 +12,35 @@ namespace Foam
 namespace fsi
 {
 
-//- Axes of an entry, in the order of the choices; all if there is none
-static bodyFreedom::axes readAxes
+//- Names of axes
+static wordList namesOf(const bodyFreedom::axes& all)
+{
+    static const char names[] = "xyz";
+    wordList result;
+    for (const direction axis : all)
+    {
+        result.append(word(std::string(1, names[axis])));
+    }
+    return result;
+}
+
+
+//- Axes of a list that the dictionary has, in the order of the choices
+static bodyFreedom::axes axesOf
 (
     const dictionary& dict,
     const word& key,
+    const wordList& given,
     const bodyFreedom::axes& all
 )
 {
-    if (!dict.found(key))
-    {
-        return all;
-    }
-    const wordList given(readEntry<wordList>(dict, key));
-    static const char names[] = "xyz";
+    const wordList valid(namesOf(all));
     bodyFreedom::axes found;
-    wordList valid;
-    for (const direction axis : all)
+    forAll(all, i)
     {
-        valid.append(word(std::string(1, names[axis])));
-        if (isIn(given, valid.last()))
+        if (isIn(given, valid[i]))
         {
-            found.append(axis);
+            found.append(all[i]);
         }
     }
     if (found.size() != given.size())
@@ -78,8 +85,17 @@ Foam::fsi::bodyFreedom::bodyFreedom
 :
     bodyFreedom(nDims)
 {
-    translations_ = readAxes(motion, "translations", axes(translations_));
-    rotations_ = readAxes(motion, "rotations", axes(rotations_));
+    const axes moves(translations_), turns(rotations_);
+    const wordList given
+    (
+        readEntryOr<wordList>(motion, "translations", namesOf(moves))
+    );
+    const wordList about
+    (
+        readEntryOr<wordList>(motion, "rotations", namesOf(turns))
+    );
+    translations_ = axesOf(motion, "translations", given, moves);
+    rotations_ = axesOf(motion, "rotations", about, turns);
     if (translations_.empty() && rotations_.empty())
     {
         FatalIOErrorInFunction(motion)
