@@ -87,13 +87,15 @@ Foam::fsi::fsiObjects::groupNodal Foam::fsi::fsiObjects::forces
     forAll(force, groupi)
     {
         bodyGroup& group = bodies_.groups()[groupi];
-        const vector a
-        (
-            fluid_.accelerationOf
+        // Membranes have no mass, see immersedMembranes
+        vector a(Zero);
+        if (group.hasWalls())
+        {
+            a = fluid_.accelerationOf
             (
                 group.shape().density(), gravity_, driving_->acceleration()
-            )
-        );
+            );
+        }
         loads_.add(mesh_.time().value(), groupi, group, a, force[groupi]);
         group.prepareResponse(step.tau);
     }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedMembranes.H"
-#include "bodyVolume.H"
 #include "immersedBodies.H"
-#include "partialForces.H"
 #include "readBetween.H"
 #include "SubField.H"
 
@@ -42,102 +40,46 @@ void Foam::fsi::immersedMembranes::forMembranes(const Action& action) const
 }
 
 
-void Foam::fsi::immersedMembranes::addWeight
-(
-    const bodyGroup& group,
-    Eigen::MatrixXd& force
-) const
-{
-    const vector weight
-    (
-        (group.shape().density() - fluid_.density)*gravity_
-    );
-    const Eigen::Vector3d along(weight.x(), weight.y(), weight.z());
-    for (label i = 0; i < group.size() && mag(weight) > 0; ++i)
-    {
-        const Eigen::MatrixXd x(group.positions().middleCols(3*i, 3));
-        Eigen::MatrixXd area(Eigen::MatrixXd::Zero(x.rows(), 3));
-        bodyVolume::addGradient(group.shape().faces(), 1, x, area);
-        force.middleCols(3*i, 3) += (x*along).asDiagonal()*area;
-    }
-}
-
-
-void Foam::fsi::immersedMembranes::checkStep
-(
-    const bodyGroup& group,
-    const scalar deltaT
-) const
-{
-    const shapeTemplate& shape = group.shape();
-    const scalar h = geometry_.grid().spacing();
-    const scalar ratio =
-        deltaT*shape.sheet()->stiffness(shape.nodeSpacing())
-       /(fluid_.dynamicViscosity()*h);
-    if (ratio > stepLimit)
-    {
-        FatalErrorInFunction
-            << "The time step " << deltaT << " s is too long for the membranes"
-            << " of shape " << shape.name() << ": dt a/(mu h) is " << ratio
-            << " but must be " << stepLimit << " at most, with the largest"
-            << " modulus a of their material" << nl
-            << "Take a step of " << deltaT*stepLimit/ratio
-            << " s or less, or a smaller areaModulus" << exit(FatalError);
-    }
-}
-
-
-void Foam::fsi::immersedMembranes::setForces(const scalar deltaT)
-{
-    nodeLayout::groupNodal force;
-    bodies_.layout().zero(force);
-    forAll(force, groupi)
-    {
-        const bodyGroup& group = bodies_.groups()[groupi];
-        if (!group.hasWalls())
-        {
-            checkStep(group, deltaT);
-            group.internalForce(force[groupi]);
-            addWeight(group, force[groupi]);
-            force[groupi] /= fluid_.density;
-        }
-    }
-    bodies_.layout().toSurface(force, nodal_);
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::immersedMembranes::immersedMembranes
 (
-    const population& bodies,
-    const interfaceGeometry& geometry,
-    const fluidProperties& fluid,
-    const vector& gravity,
-    const dictionary& dict
+    const fsiObjects& objects,
+    const interfaceGeometry& geometry
 )
 :
-    bodies_(bodies),
+    objects_(objects),
+    bodies_(objects.bodies()),
     geometry_(geometry),
-    fluid_(fluid),
-    gravity_(gravity),
-    width_(readKernel(dict))
+    fluid_(objects.fluid()),
+    gravity_(objects.gravity()),
+    width_(readKernel(objects.properties().subOrEmptyDict("membranes")))
 {
     bool any = false;
-    for (const bodyGroup& group : bodies.groups())
+    bool walls = false;
+    for (const bodyGroup& group : bodies_.groups())
     {
         any = any || !group.hasWalls();
+        walls = walls || group.hasWalls();
+    }
+    if (any && walls)
+    {
+        ghosts_.reset(new wallGhosts(geometry, objects.levelSet()));
+        defence_.reset
+        (
+            new wallDefence(bodies_, geometry.grid(), objects.levelSet())
+        );
     }
     if (any)
     {
         faces_.reset(new faceLattice(geometry.grid()));
         transfer_.reset(new staggeredTransfer(faces_->lattice(), width_));
     }
-    if (viscosityContrast::wanted(bodies, fluid))
+    if (viscosityContrast::wanted(bodies_, fluid_))
     {
         contrast_.reset
         (
-            new viscosityContrast(bodies, geometry, *faces_, fluid)
+            new viscosityContrast(bodies_, geometry, *faces_, fluid_)
         );
     }
 }
@@ -161,14 +103,15 @@ bool Foam::fsi::immersedMembranes::alone(const population& bodies)
 void Foam::fsi::immersedMembranes::spread
 (
     const volVectorField& U,
-    const stepLength& step
+    const stepLength& step,
+    nodeLayout::groupNodal& force
 )
 {
     if (!active())
     {
         return;
     }
-    setForces(step.dt);
+    setForces(step.dt, force);
     faces_->setZero(values_);
     const pointField& x = bodies_.surfaces().points();
     forMembranes([&](const label start, const label n)
@@ -181,13 +124,13 @@ void Foam::fsi::immersedMembranes::spread
         );
     });
     faces_->setCells(U, values_, force_);
-    const boolList& inFluid = geometry_.fluidCell();
-    forAll(force_, celli)
+    if (ghosts_.valid())
     {
-        if (!inFluid[celli])
-        {
-            force_[celli] = Zero;
-        }
+        partialForces part(x.size());
+        ghosts_->update();
+        ghosts_->bringBack(objects_.surfaces(), force_, part.mine());
+        part.mine() *= fluid_.density;
+        addPart(part, force);
     }
     if (contrast_.valid())
     {
@@ -241,7 +184,13 @@ void Foam::fsi::immersedMembranes::setVelocities
     {
         return;
     }
-    faces_->setVelocities(phi, geometry_.openArea(), U, values_);
+    tmp<volVectorField> extended(U);
+    if (ghosts_.valid())
+    {
+        extended = newTmp<volVectorField>("extended", U);
+        ghosts_->extend(extended.ref());
+    }
+    faces_->setVelocities(phi, geometry_.openArea(), extended(), values_);
     const pointField& x = bodies_.surfaces().points();
     partialForces part(x.size());
     forMembranes([&](const label start, const label n)
@@ -251,16 +200,29 @@ void Foam::fsi::immersedMembranes::setVelocities
     });
     nodeLayout::groupNodal velocity;
     bodies_.layout().toGroups(part.collect(bodies_.ranks()), velocity);
+    if (defence_.valid())
+    {
+        defence_->find(objects_.surfaces(), deltaT);
+    }
+    const auto limit = [&](const label groupi)
+    {
+        if (defence_.valid())
+        {
+            defence_->limit(groupi, v[groupi]);
+        }
+    };
     forAll(velocity, groupi)
     {
         const bodyGroup& group = bodies_.groups()[groupi];
         if (!group.hasWalls())
         {
             v[groupi] = velocity[groupi];
+            limit(groupi);
             dynamic_cast<const immersedBodies&>(group).keepVolume
             (
                 deltaT, v[groupi]
             );
+            limit(groupi);
         }
     }
 }

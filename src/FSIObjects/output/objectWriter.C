@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectWriter.H"
+#include "nodesInside.H"
 #include "dictionaryCheck.H"
 #include "errorOf.H"
 #include "openfoamTypes.H"
@@ -45,6 +46,26 @@ static labelList crossedObjects(const population& objects)
         }
     }
     return labelList(ids);
+}
+
+
+//- Print how many nodes of membranes are inside other objects
+static void reportInside(const surfaceSet& surfaces, const vector& period)
+{
+    label nNodes = 0;
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (!surfaces.hasWalls(objecti))
+        {
+            const label start = surfaces.pointStart()[objecti];
+            nNodes += surfaces.pointStart()[objecti + 1] - start;
+        }
+    }
+    if (nNodes > 0)
+    {
+        Info<< "Nodes of membranes inside other objects: "
+            << nodesInside(surfaces, period) << " of " << nNodes << endl;
+    }
 }
 
 } // End namespace fsi
@@ -153,11 +174,13 @@ void Foam::fsi::objectWriter::writeRows
 void Foam::fsi::objectWriter::writeShapes
 (
     const scalar time,
-    const population& objects
+    const population& objects,
+    const vector& period
 )
 {
     if (globalTable_.valid())
     {
+        reportInside(objects.surfaces(), period);
         crossed_ = crossedObjects(objects);
         crossedAt_ = time;
         if (crossed_.size())

@@ -45,14 +45,7 @@ Foam::fsi::immersedStep::immersedStep
         objects.levelSet(),
         objects.fluid().density
     ),
-    membranes_
-    (
-        objects.bodies(),
-        geometry_,
-        objects.fluid(),
-        objects.gravity(),
-        objects.properties().subOrEmptyDict("membranes")
-    )
+    membranes_(objects, geometry_)
 {
     checkKeys(dict, {"type", "passes", "passTolerance"});
 }
@@ -74,8 +67,9 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
     }
 
     // Objects as if alone, with the last load of the fluid
-    predict(objects_.forces(step()));
-    membranes_.spread(U_, step());
+    groupNodal force(objects_.forces(step()));
+    membranes_.spread(U_, step(), force);
+    predict(force);
 
     tmp<surfaceScalarField> convectiveFlux(moved(rule_.flux(phi_)));
     expectedChange change(error_.rate(), step().dt);

@@ -230,7 +230,10 @@ void Foam::fsi::stepOutput::write
     setFields();
     autoPtr<population> storage;
     const population& all = objects_.bodies().whole(storage);
-    writer_.writeShapes(mesh.time().value(), all);
+    writer_.writeShapes
+    (
+        mesh.time().value(), all, objects_.images().period()
+    );
     all.write();
     objects_.write();
     error.write();

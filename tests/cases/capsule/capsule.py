@@ -167,6 +167,51 @@ def check_ranks(report, folder):
                      f"{error:.2e} of the size")
 
 
+def pressed(folder, name, **more):
+    """A capsule that the flow carries against a sphere."""
+    values = {"deltaT": 2*STEP, "endTime": 4, "writeInterval": 25,
+              "writePrecision": 17, "p_tolerance": 1e-5, "U_tolerance": 1e-6,
+              "motion": "motion { type fixed; }", **more}
+    motion = values.pop("motion")
+    return fsiCase.Case(
+        os.path.join(folder, name), box=(-4, -2, -2, 4, 2, 2),
+        cells=(32, 16, 16), viscosity=VISCOSITY, cyclic="xz",
+        velocity="(1 0 0)",
+        properties="output { crossing warn; } drivingForce "
+                   "{ type meanVelocity; velocity (1 0 0); }",
+        shapes="capsule { shape { type sphere; radius 1; } material { type "
+               f"membrane; law neoHookean; density 1; shearModulus "
+               f"{VISCOSITY/0.3}; bendingModulus {0.01*VISCOSITY}; }} }} "
+               "ball { shape { type sphere; radius 0.8; } "
+               f"material {{ type rigid; density 1; }} {motion} }}",
+        placements="a { type listed; shape capsule; objects "
+                   "({ centre (-1.1 0 0); }); } b { type listed; shape ball; "
+                   "objects ({ centre (1 0.1 0); }); }", **values).set_up()
+
+
+def check_walls(report, folder):
+    """No node gets into a sphere to which the flow presses a capsule: without
+    ghosts and defence some do. A sphere that moves freely gets the forces
+    of the capsule, on one rank and on two."""
+    text = pressed(folder, "pressed").run("fsiPisoFoam")
+    inside = re.findall(r"inside other objects: (\d+) of (\d+)", text)
+    report.check("no node is inside a sphere", len(inside) == 4 and all(
+        n == "0" and int(of) > 200 for n, of in inside), str(inside))
+
+    short = {"endTime": 10*STEP, "writeInterval": 5, "motion": "",
+             "p_tolerance": 1e-12, "U_tolerance": 1e-12}
+    serial = pressed(folder, "freeBall", **short)
+    serial.run("fsiPisoFoam")
+    for parts in ((2, 1, 1), (1, 2, 1)):
+        case = pressed(folder, "freeOnRanks", **short)
+        case.decompose(*parts)
+        case.run("fsiPisoFoam", ranks=2)
+        case.run("reconstructPar", "-latestTime")
+        error = results.difference(serial.path, case.path)
+        report.check(f"beside a free sphere ranks {parts} have the nodes of "
+                     "one", error < 1e-8, f"{error:.2e} of the size")
+
+
 def check_restart(report, folder):
     """A run that was stopped ends as the run without a stop, on one rank and on
     two; a capsule with another viscosity inside and bending."""
@@ -217,6 +262,7 @@ def main(folder):
     report.attempt("contrast", check_contrast, report, folder)
     report.attempt("thin", check_thin, report, folder)
     report.attempt("ranks", check_ranks, report, folder)
+    report.attempt("walls", check_walls, report, folder)
     report.attempt("restart", check_restart, report, folder)
     report.attempt("refused", check_refused, report, folder)
 

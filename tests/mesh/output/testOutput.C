@@ -213,9 +213,9 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
         }
         const List<objectRecord> records(objectRecord::sample(*objects, Zero));
         writer.writeRows(0.25, records);
-        writer.writeShapes(0.25, *objects);
+        writer.writeShapes(0.25, *objects, vector::zero);
         writer.writeRows(0.75, records);
-        writer.writeShapes(0.75, *objects);
+        writer.writeShapes(0.75, *objects, vector::zero);
     }
     if (!Pstream::master())
     {

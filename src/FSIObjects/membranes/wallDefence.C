@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wallDefence.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::label Foam::fsi::wallDefence::cellOf(point& x) const
+{
+    const boundBox box(grid_.bounds());
+    const cartesianBlock mine(grid_.cells());
+    const cartesianBlock halo(grid_.cells(1));
+    labelVector ijk(labelVector::zero);
+    for (direction d = 0; d < grid_.nDims(); ++d)
+    {
+        const scalar period = grid_.period()[d];
+        if (period > 0)
+        {
+            x[d] -= period*std::floor((x[d] - box.min()[d])/period);
+        }
+        ijk[d] = label(std::floor((x[d] - box.min()[d])/grid_.spacing()));
+    }
+    return
+        mine.contains(ijk - mine.start())
+      ? halo.index(ijk - halo.start())
+      : -1;
+}
+
+
+template<class Action>
+void Foam::fsi::wallDefence::forNearNodes
+(
+    const surfaceSet& surfaces,
+    const Action& action
+) const
+{
+    // The nearest place is at most half a diagonal farther from the centre of
+    // the cell than from the node
+    const scalar far = (reach + 0.87)*grid_.spacing();
+    const surfaceSet& mine = bodies_.surfaces();
+    labelList face(1);
+    label found;
+    for (label objecti = 0; objecti < mine.size(); ++objecti)
+    {
+        if (mine.hasWalls(objecti))
+        {
+            continue;
+        }
+        const label end = mine.pointStart()[objecti + 1];
+        for (label i = mine.pointStart()[objecti]; i < end; ++i)
+        {
+            point x(mine.points()[i]);
+            const label here = cellOf(x);
+            face[0] = here < 0 ? -1 : levelSet_.nearestFace()[here];
+            if (face[0] < 0 || levelSet_.cellDistance()[here] > far)
+            {
+                continue;
+            }
+            const surfacePlace place(nearestPlace(surfaces, x, face, found));
+            FixedList<scalar, 3> weights;
+            const vector away(x - surfaces.nearestOnFace(found, x, weights));
+            const vector outward(surfaces.areaNormal(found));
+            const scalar gap = sign(away & outward)*mag(away);
+            const vector n
+            (
+                mag(gap) > 1e-3*grid_.spacing()
+              ? away/gap
+              : outward/mag(outward)
+            );
+            action(i, place, gap, n);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::wallDefence::find
+(
+    const surfaceSet& surfaces,
+    const scalar deltaT
+)
+{
+    const scalar least = smallest*grid_.spacing();
+    const vectorField& velocities = bodies_.surfaces().velocities();
+    vectorField normal(velocities.size(), Zero), along(normal);
+    const auto set = [&]
+    (
+        const label nodei,
+        const surfacePlace& place,
+        const scalar gap,
+        const vector& n
+    )
+    {
+        const scalar ofWall = place.interpolate(velocities) & n;
+        normal[nodei] = n;
+        along[nodei] = (ofWall + (min(gap, least) - gap)/deltaT)*n;
+    };
+    forNearNodes(surfaces, set);
+    bodies_.ranks().collect
+    ({
+        objectRanks::values::ofNodes(normal),
+        objectRanks::values::ofNodes(along)
+    });
+    bodies_.layout().toGroups(normal, normal_);
+    bodies_.layout().toGroups(along, least_);
+}
+
+
+void Foam::fsi::wallDefence::limit
+(
+    const label groupi,
+    Eigen::MatrixXd& v
+) const
+{
+    for (Eigen::Index column = 0; column < v.cols(); column += 3)
+    {
+        const auto n = normal_[groupi].middleCols(column, 3);
+        const auto least = least_[groupi].middleCols(column, 3);
+        auto ofCopy = v.middleCols(column, 3);
+        const Eigen::VectorXd lacking
+        (
+            (least - ofCopy).cwiseProduct(n).rowwise().sum().cwiseMax(0)
+        );
+        ofCopy += lacking.asDiagonal()*n;
+    }
+}
+
+
+// ************************************************************************* //
