@@ -33,6 +33,7 @@ TYPES = {
 OTHERS = {
     "type": "word", "restCurvature": "number or word",
     "counts": "whole numbers", "areaFraction": "number",
+    "size": "dictionary", "shapes": "names with numbers",
     "quaternion": "quaternion", "objects": "list of dictionaries",
     "motions": "list of dictionaries",
     "file": "file name",

@@ -2,6 +2,7 @@
 
 #include "inPlacePlacement.H"
 #include "openfoamVersion.H"
+#include "shapeMix.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
@@ -14,27 +15,6 @@ namespace fsi
     addToRunTimeSelectionTable(placement, inPlacePlacement, dictionary);
 }
 }
-
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Is a shape NAME_1, NAME_2.. one of the pieces of a shape NAME?
-static bool isPiece(const word& shape, const word& name)
-{
-    const std::size_t n = name.size();
-    return
-        shape.size() > n + 1 && shape.compare(0, n, name) == 0
-     && shape[n] == '_'
-     && shape.find_first_not_of("0123456789", n + 1) == std::string::npos;
-}
-
-} // End namespace fsi
-} // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -55,17 +35,10 @@ Foam::fsi::inPlacePlacement::inPlacePlacement
 void Foam::fsi::inPlacePlacement::place(packing& space)
 {
     const word shape(getEntry<word>(dict(), "shape"));
-    DynamicList<label> shapes;
-    forAll(space.shapeNames(), i)
+    const labelList shapes(shapeMix::named(shape, space));
+    if (shapes.empty())
     {
-        if (isPiece(space.shapeNames()[i], shape))
-        {
-            shapes.append(i);
-        }
-    }
-    if (shapes.empty() || isIn(space.shapeNames(), shape))
-    {
-        shapes = labelList(1, readShape(dict(), space));
+        shapeMix::fail(dict(), "shape", shape, space);
     }
 
     DynamicList<placedObject> objects(shapes.size());

@@ -101,8 +101,9 @@ void Foam::fsi::latticePlacement::checkNumber
     }
     checkRoom
     (
-        space,
+        space.shapeNames()[shape()],
         number,
+        space.shape(shape()).volume(),
         boundBox(region().min() - margin, region().max() + margin),
         given ? "counts" : "spacing"
     );
@@ -143,6 +144,7 @@ Foam::fsi::latticePlacement::latticePlacement
     randomRotation_(dict.lookupOrDefault<Switch>("randomRotation", false)),
     jitter_(readNonNegative(dict, "jitter", 0))
 {
+    setShape(readShape(dict, space));
     readLattice(space);
 }
 

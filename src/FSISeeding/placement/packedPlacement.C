@@ -107,14 +107,17 @@ Foam::label Foam::fsi::packedPlacement::addBetween
 (
     packing& space,
     const boundBox& container,
-    const label number
+    const labelUList& shapes
 )
 {
     label added = 0;
-    for (label i = 0; i < attempts && added < number; ++i)
+    for (label i = 0; i < attempts && added < shapes.size(); ++i)
     {
         const point centre(randomCentre(space, container));
-        placedObject object(newObject(shape(), centre, randomRotation()));
+        placedObject object
+        (
+            newObject(shapes[added], centre, randomRotation())
+        );
         object.scale = grows_ ? firstScale : 1;
         if
         (
@@ -178,9 +181,10 @@ void Foam::fsi::packedPlacement::shake
     packing& space,
     const boundBox& container,
     const label first,
-    const label number
+    const labelUList& shapes
 )
 {
+    const label number = shapes.size();
     label n = space.size() - first, lastAdded = 0;
     moveSizes sizes;
     sizes.step = mag(space.shape(shape()).bounds().span());
@@ -188,7 +192,10 @@ void Foam::fsi::packedPlacement::shake
     {
         if (n < number)
         {
-            const label added = addBetween(space, container, number - n);
+            const label added = addBetween
+            (
+                space, container, SubList<label>(shapes, number - n, n)
+            );
             n += added;
             lastAdded = added ? sweepi : lastAdded;
             if (sweepi > lastAdded + patience)
@@ -257,11 +264,12 @@ void Foam::fsi::packedPlacement::place(packing& space)
     }
 
     const label first = space.size();
-    for (const point& centre : centres)
+    const labelList shapes(shapesOf(number));
+    forAll(centres, i)
     {
-        space.insert(newObject(shape(), centre, rotation()));
+        space.insert(newObject(shapes[i], centres[i], rotation()));
     }
-    shake(space, container, first, number);
+    shake(space, container, first, shapes);
     const label found = nFull(space, first);
     if (found < number)
     {

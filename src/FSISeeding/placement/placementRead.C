@@ -4,6 +4,7 @@
 #include "dictionaryCheck.H"
 #include "openfoamVersion.H"
 #include "readBetween.H"
+#include "shapeMix.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -58,11 +59,7 @@ Foam::label Foam::fsi::placement::findShape
     const label shapei = indexOf(space.shapeNames(), shape);
     if (shapei < 0)
     {
-        FatalIOErrorInFunction(dict_)
-            << "Unknown shape '" << shape << "' in entry 'shape' of placement "
-            << dict_.name() << nl
-            << "Valid shapes are " << flatOutput(space.shapeNames())
-            << exit(FatalIOError);
+        shapeMix::fail(dict_, "shape", shape, space);
     }
     return shapei;
 }

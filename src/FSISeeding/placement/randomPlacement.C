@@ -68,9 +68,11 @@ void Foam::fsi::randomPlacement::place(packing& space)
     const boundBox container(readContainer(space));
     const label number = readNumber(space);
 
+    const labelList shapes(shapesOf(number));
     for (label i = 0; i < number; ++i)
     {
-        placedObject object = newObject(shape(), container.min(), tensor::I);
+        placedObject object =
+            newObject(shapes[i], container.min(), tensor::I);
         label nConflicts = 0;
         if (!findPlace(space, container, object, nConflicts))
         {

@@ -83,20 +83,20 @@ Foam::boundBox Foam::fsi::regionPlacement::readRegion
 
 void Foam::fsi::regionPlacement::checkRoom
 (
-    const packing& space,
+    const string& shapes,
     const scalar number,
+    const scalar own,
     const boundBox& box,
     const word& key
 ) const
 {
-    const scalar own = space.shape(shape_).volume();
     const scalar size = sizeOf(box, nDims());
     if (number >= 1 && number*own > size*(1 + SMALL))
     {
         FatalIOErrorInFunction(dict())
             << "Entry '" << key << "' of placement " << name()
             << " asks for " << number << " objects of shape "
-            << space.shapeNames()[shape_] << ", " << number*own
+            << shapes.c_str() << ", " << number*own
             << unitOf(nDims()) << " together, but there is no room for more"
             << " than the " << size << unitOf(nDims()) << " from " << box.min()
             << " to " << box.max() << nl << "Take fewer objects, a smaller"
@@ -127,7 +127,7 @@ Foam::fsi::regionPlacement::regionPlacement
         defaultMinimumGap,
         defaultWallGap
     ),
-    shape_(readShape(dict, space)),
+    shape_(-1),
     region_(readRegion(space))
 {}
 

@@ -16,7 +16,10 @@ namespace fsi
 //- The keys of sought placements and some more
 static wordList withSoughtKeys(const wordList& ownKeys, const word& fraction)
 {
-    wordList keys({"number", fraction, "rotation", "acrossCyclic"});
+    wordList keys
+    (
+        {"shapes", "number", fraction, "rotation", "acrossCyclic"}
+    );
     keys.append(ownKeys);
     return keys;
 }
@@ -51,13 +54,8 @@ Foam::scalar Foam::fsi::soughtPlacement::defaultGap
     const packing& space
 )
 {
-    const label shapei = indexOf
-    (
-        space.shapeNames(), dict.lookupOrDefault<word>("shape", "")
-    );
-    return
-        space.spacing()
-       *(shapei >= 0 && space.immersed(shapei) ? packing::membraneGap : 3);
+    const bool immersed = shapeMix(dict, space).immersed(space);
+    return space.spacing()*(immersed ? packing::membraneGap : 3);
 }
 
 
@@ -172,10 +170,13 @@ Foam::label Foam::fsi::soughtPlacement::readNumber
     {
         const scalar size = sizeOf(region(), nDims());
         number =
-            readPositive(dict(), fraction)*size/space.shape(shape()).volume()
-          + 0.5;
+            readPositive(dict(), fraction)*size/mix_.meanVolume() + 0.5;
     }
-    checkRoom(space, number, readContainer(space), numberKey());
+    checkRoom
+    (
+        mix_.names(space), number, mix_.meanVolume(), readContainer(space),
+        numberKey()
+    );
     return label(number);
 }
 
@@ -217,7 +218,7 @@ void Foam::fsi::soughtPlacement::lackRoom
     FatalIOErrorInFunction(dict())
         << "Entry '" << numberKey() << "' of placement " << name()
         << " asks for " << number << " objects of shape "
-        << space.shapeNames()[shape()] << " but there is no room for more than "
+        << mix_.names(space).c_str() << " but there is no room for more than "
         << found << details.c_str() << nl
         << "Take fewer objects, a smaller minimumGap (" << minimumGap()
         << " m), a smaller wallGap (" << wallGap() << " m)"
@@ -246,12 +247,15 @@ Foam::fsi::soughtPlacement::soughtPlacement
         defaultGap(dict, space),
         readNonNegative(dict, "minimumGap", defaultGap(dict, space))
     ),
+    mix_(dict, space),
     rotation_(readRotation(dict, nDims())),
     acrossCyclic_
     (
-        dict.lookupOrDefault<Switch>("acrossCyclic", space.immersed(shape()))
+        dict.lookupOrDefault<Switch>("acrossCyclic", mix_.immersed(space))
     )
-{}
+{
+    setShape(mix_.largest());
+}
 
 
 // ************************************************************************* //

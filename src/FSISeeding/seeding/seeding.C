@@ -8,10 +8,14 @@
 #include "newShapeMesh.H"
 #include "openfoamVersion.H"
 #include "placement.H"
+#include "scaledShape.H"
 #include "shape.H"
 #include "shapeCheck.H"
+#include "shapeClasses.H"
 #include "surfaceFile.H"
 #include "userVariables.H"
+
+#include <functional>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -36,13 +40,61 @@ static void checkShapeEntry(const dictionary& dict, const entry& e)
         e.dict(),
         {
             "shape", "mesh", "material", "admm", "hold",
-            "nodeSpacing", "minimumCells", "motion"
+            "nodeSpacing", "minimumCells", "motion", "distribution"
         }
     );
     checkSubDicts
     (
-        e.dict(), {"shape", "mesh", "material", "admm", "hold", "motion"}
+        e.dict(),
+        {
+            "shape", "mesh", "material", "admm", "hold", "motion",
+            "distribution"
+        }
     );
+}
+
+
+//- Call an action for each shape of an entry, with its name and dictionary:
+//  one, the classes of a distribution, or the pieces of a file
+static void forShapes
+(
+    const entry& e,
+    const direction nDims,
+    const std::function<void(const word&, const dictionary&, const shape&)>&
+        action
+)
+{
+    const dictionary& dict = e.dict();
+    const dictionary& shapeDict = dict.subDict("shape");
+    const word stem(e.keyword() + '_');
+    if (dict.found("distribution"))
+    {
+        const shapeClasses classes(dict);
+        const autoPtr<shape> original(shape::New(shapeDict, nDims));
+        for (label i = 0; i < classes.size(); ++i)
+        {
+            const scaledShape body(original(), classes.sizeOf(i), nDims);
+            action(stem + Foam::name(i + 1), classes.dictOf(i), body);
+        }
+        return;
+    }
+    if
+    (
+        nDims == 3
+     && shapeDict.lookupOrDefault<word>("type", "") == "surface"
+    )
+    {
+        const PtrList<shape> pieces(surfaceFile::allPieces(shapeDict));
+        forAll(pieces, i)
+        {
+            action(stem + Foam::name(i + 1), dict, pieces[i]);
+        }
+        if (pieces.size())
+        {
+            return;
+        }
+    }
+    action(e.keyword(), dict, *shape::New(shapeDict, nDims));
 }
 
 } // End namespace fsi
@@ -85,22 +137,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
             continue;
         }
         checkShapeEntry(dict, e);
-        const dictionary& shapeDict = e.dict().subDict("shape");
-        const PtrList<shape> pieces
-        (
-            domain_.nDims == 3
-         && shapeDict.lookupOrDefault<word>("type", "") == "surface"
-          ? surfaceFile::allPieces(shapeDict)
-          : PtrList<shape>()
-        );
-        forAll(pieces, i)
-        {
-            add(e.keyword() + '_' + Foam::name(i + 1), e.dict(), pieces[i]);
-        }
-        if (pieces.empty())
-        {
-            add(e.keyword(), e.dict(), *shape::New(shapeDict, domain_.nDims));
-        }
+        forShapes(e, domain_.nDims, add);
     }
     space_.reset
     (
