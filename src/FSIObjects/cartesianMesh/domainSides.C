@@ -105,6 +105,7 @@ void Foam::fsi::domainSides::addPatch(const polyPatch& patch)
         if (touches[sidei])
         {
             kinds_[sidei] = max(kinds_[sidei], kind);
+            rough_[sidei] = rough_[sidei] || isA<wallPolyPatch>(patch);
             if (kind == OPEN)
             {
                 patches_[sidei].append(patch.name());
@@ -119,7 +120,8 @@ void Foam::fsi::domainSides::addPatch(const polyPatch& patch)
 Foam::fsi::domainSides::domainSides(const fvMesh& mesh)
 :
     bounds_(mesh.bounds()),
-    kinds_(label(EMPTY))
+    kinds_(label(EMPTY)),
+    rough_(label(0))
 {
     for (const polyPatch& patch : mesh.boundaryMesh())
     {
@@ -130,6 +132,13 @@ Foam::fsi::domainSides::domainSides(const fvMesh& mesh)
         forAll(kinds, sidei)
         {
             kinds_[sidei] = max(kinds_[sidei], kinds[sidei]);
+        }
+    }
+    for (const FixedList<label, 6>& rough : gatherOverRanks(rough_))
+    {
+        forAll(rough, sidei)
+        {
+            rough_[sidei] = rough_[sidei] || rough[sidei];
         }
     }
     for (const FixedList<wordList, 6>& patches : gatherOverRanks(patches_))
@@ -233,12 +242,52 @@ Foam::List<Foam::fsi::contactWall> Foam::fsi::domainSides::walls() const
                 contactWall
                 (
                     sidei % 2 ? bounds_.max() : bounds_.min(),
-                    -outward(sidei)
+                    -outward(sidei),
+                    !rough_[sidei]
                 )
             );
         }
     }
     return List<contactWall>(std::move(walls));
+}
+
+
+void Foam::fsi::domainSides::setVelocities
+(
+    const volVectorField& U,
+    UList<contactWall>& walls
+) const
+{
+    // Of each side the velocity times the area, and the area
+    vectorField sums(6, Zero);
+    scalarField areas(6, Zero);
+    for (const fvPatchVectorField& patch : U.boundaryField())
+    {
+        const vectorField& S = patch.patch().Sf();
+        forAll(patch, i)
+        {
+            for (label sidei = 0; sidei < 6; ++sidei)
+            {
+                const scalar area = S[i] & outward(sidei);
+                if (isA<wallPolyPatch>(patch.patch().patch()) && area > 0)
+                {
+                    sums[sidei] += area*patch[i];
+                    areas[sidei] += area;
+                }
+            }
+        }
+    }
+    sumOverRanks(sums, areas);
+    label walli = 0;
+    for (label sidei = 0; sidei < 6; ++sidei)
+    {
+        if (kinds_[sidei] == WALL)
+        {
+            const vector n(outward(sidei));
+            const vector v(sums[sidei]/max(areas[sidei], VSMALL));
+            walls[walli++].setVelocity(v - (v & n)*n);
+        }
+    }
 }
 
 

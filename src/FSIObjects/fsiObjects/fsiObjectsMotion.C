@@ -18,9 +18,8 @@ void Foam::fsi::fsiObjects::updateSurfaces()
 
 void Foam::fsi::fsiObjects::updateImages()
 {
-    // Samples lie up to one cell outside the domain
-    const scalar reach = levelSet_->bandWidth() + grid_.spacing();
-    surfaces_ = &images_.update(bodies_.surfaces(), reach);
+    const scalar outside = levelSet_->bandWidth() + grid_.spacing();
+    surfaces_ = &images_.update(bodies_.surfaces(), outside);
 }
 
 
@@ -54,6 +53,7 @@ void Foam::fsi::fsiObjects::drive(const volVectorField& U)
     {
         driving_->log(Info);
     }
+    contact_.setWallVelocities(U);
 }
 
 

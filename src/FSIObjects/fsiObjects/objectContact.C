@@ -164,6 +164,7 @@ Foam::fsi::objectContact::objectContact
 :
     bodies_(bodies),
     grid_(grid),
+    sides_(sides),
     contact_
     (
         dict,

@@ -221,6 +221,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     const contactPairs& acting = ranges_.acting(surfaces, found_, margin_);
     contactProblem all(problem(surfaces, velocities, bodies, acting, dt));
     all.ahead = ahead;
+    all.walls = &walls;
     law_->addForces(all, force, statistics_);
     return statistics_;
 }

@@ -16,6 +16,8 @@
 4. It goes on bit by bit after a restart.
 5. Bodies on which their weight less their buoyancy acts as a given force go as
    under gravity, and a given torque turns a body as its inertia lets it.
+6. A disc on a wall under gravity that is tilted by 45 degrees, in next to no
+   fluid, slides down by Coulomb's friction, or rolls; on three ranks as on one.
 """
 
 import math
@@ -158,6 +160,48 @@ def given_loads(report, folder):
                      f"{found}, not {spin}")
 
 
+def on_incline(folder, name, friction, ranks=1):
+    """A disc that starts at rest near the lower wall, after 0.25 s."""
+    case = fsiCase.Case(
+        os.path.join(folder, name), box=(0, 0, 1.2, 0.6), cells=(48, 24),
+        density=1e-4, viscosity=0.01, gravity="(7 -7 0)",
+        properties="contact { range 1; law { stiffness 1000;"
+                   f" tolerance 1e-6; frictionCoefficient {friction}; }} }}\n",
+        shapes="disc { shape { type circle; radius 0.15; } material "
+               "{ type rigid; density 1; } }",
+        placements="a { type listed; shape disc; objects "
+                   "({ centre (0.35 0.17 0); }); }",
+        deltaT=0.0025, endTime=0.25, writeInterval=100,
+        writePrecision=17).set_up()
+    if ranks > 1:
+        case.decompose(ranks, 1)
+    case.run("fsiPisoFoam", ranks=ranks)
+    return results.table(case.path, "objects.csv")[-1]
+
+
+def incline(report, folder):
+    """Check 6. Friction has taken what the normal impulses allow, whatever the
+    bounces, and has turned the disc."""
+    slides = on_incline(folder, "slides", 0.2)
+    speed = 7*0.25
+    friction = 0.2*(speed + slides["velocityY"])
+    off = abs(slides["velocityX"] - (speed - friction))/speed
+    turn = abs(0.15*slides["angularVelocityZ"] + 2*friction)/speed
+    print(f"    slides at {slides['velocityX']:.4f} m/s, {off:.1e} off, turns"
+          f" at {slides['angularVelocityZ']:.4f}/s, {turn:.1e} off")
+    report.check("friction as Coulomb says", off < 0.002 and turn < 0.02,
+                 slides)
+    rolls = on_incline(folder, "rolls", 1)
+    slip = rolls["velocityX"] + 0.15*rolls["angularVelocityZ"]
+    print(f"    rolls at {rolls['velocityX']:.4f} m/s, slips at {slip:.1e}")
+    report.check("a disc rolls", abs(slip) < 0.01*speed
+                 and abs(rolls["velocityX"]/speed - 2/3) < 0.02, rolls)
+    other = on_incline(folder, "ranks", 0.2, 3)
+    report.check("friction on three ranks", all(
+        abs(other[key] - slides[key]) < 1e-8
+        for key in ("velocityX", "velocityY", "angularVelocityZ")), other)
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -165,6 +209,7 @@ def main(folder):
     if whole is not None:
         report.attempt("restart", restarted, report, folder, whole)
     report.attempt("given loads", given_loads, report, folder)
+    report.attempt("incline", incline, report, folder)
     for name, shape, density in (("light", CIRCLE, 0.1), ("star", STAR, 0.3)):
         report.attempt(name, rests, report, folder, name, shape,
                        f"type rigid; density {density};")

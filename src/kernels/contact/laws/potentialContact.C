@@ -159,7 +159,13 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
 
 Foam::wordList Foam::fsi::potentialContact::keys(const wordList& own)
 {
-    wordList all({"type", "restitution", "tolerance", "maxSweeps"});
+    wordList all
+    (
+        {
+            "type", "restitution", "tolerance", "maxSweeps",
+            "frictionCoefficient"
+        }
+    );
     all.append(own);
     return all;
 }

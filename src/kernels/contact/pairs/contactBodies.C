@@ -64,47 +64,46 @@ Foam::scalar Foam::fsi::contactBodies::coupling
     const contactPair& by
 ) const
 {
-    // Nodes of the object in a pair with their weights
+    // Nodes of the object in a pair with their parts in its velocity
     const auto forNodes = [&](const contactPair& p, const auto& action)
     {
         if (surfaces.pointObject()[p.node] == objecti)
         {
-            action(p.node, scalar(1));
+            action(p.node, p.normal);
         }
         for (label i = 0; p.other == objecti && i < surfaces.nNodes(); ++i)
         {
-            action(surfaces.faces()[p.face][i], -p.weights[i]);
+            action(surfaces.faces()[p.face][i], vector(-p.share(i)));
         }
     };
     const body& b = bodies_[objecti];
     const label start = surfaces.pointStart()[objecti];
     scalar sum = 0;
-    forNodes(pair, [&](const label i, const scalar weight)
+    forNodes(pair, [&](const label i, const vector& part)
     {
-        forNodes(by, [&](const label j, const scalar byWeight)
+        forNodes(by, [&](const label j, const vector& byPart)
         {
-            const scalar both = weight*byWeight;
             if (b.inverse && b.coupled)
             {
                 const label n = b.inverse->rows()/2;
                 for (label c = 0; c < 4; ++c)
                 {
                     sum +=
-                        both*pair.normal[c/2]*by.normal[c % 2]
+                        part[c/2]*byPart[c % 2]
                        *(*b.inverse)(i - start + c/2*n, j - start + c % 2*n);
                 }
             }
             else if (b.inverse)
             {
                 sum +=
-                    both*(pair.normal & by.normal)
+                    (part & byPart)
                    *(*b.inverse)(i - start, j - start);
             }
             for (label k = 0; k < b.nModes; ++k)
             {
                 sum +=
-                    both*b.coefficients[k]
-                   *(mode(i, k) & pair.normal)*(mode(j, k) & by.normal);
+                    b.coefficients[k]
+                   *(mode(i, k) & part)*(mode(j, k) & byPart);
             }
         });
     });

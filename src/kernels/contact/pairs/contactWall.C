@@ -5,10 +5,17 @@
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::contactWall::contactWall(const point& p, const vector& normal)
+Foam::fsi::contactWall::contactWall
+(
+    const point& p,
+    const vector& normal,
+    const bool smooth
+)
 :
     point_(p),
-    normal_(normal)
+    normal_(normal),
+    velocity_(Zero),
+    smooth_(smooth)
 {
     const scalar length = mag(normal);
     if (!(length > VSMALL && length < GREAT))

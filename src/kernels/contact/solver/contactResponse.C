@@ -58,7 +58,10 @@ void Foam::fsi::contactResponse::setShares(const label pairi)
         scalar share = 0;
         for (label i = 0; i < surfaces_->nNodes(); ++i)
         {
-            share -= pair.weights[i]*(bodies_->mode(f[i], k) & n);
+            share -=
+                pair.couple
+              ? bodies_->mode(f[i], k) & pair.share(i)
+              : pair.weights[i]*(bodies_->mode(f[i], k) & n);
         }
         otherShares_[pairi][k] = share;
     }
@@ -177,21 +180,6 @@ void Foam::fsi::contactResponse::addImpulse
 }
 
 
-void Foam::fsi::contactResponse::addModes
-(
-    const label objecti,
-    const modeValues& shares,
-    const scalar impulse
-)
-{
-    const contactBodies::body& b = (*bodies_)[objecti];
-    for (label k = 0; k < b.nModes; ++k)
-    {
-        amplitudes_[objecti][k] += b.coefficients[k]*shares[k]*impulse;
-    }
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::contactResponse::reset
@@ -237,6 +225,10 @@ Foam::scalar Foam::fsi::contactResponse::compliance(const label pairi) const
     const label object = own(pair);
     const contactBodies::body& b = (*bodies_)[object];
     const bool self = pair.face >= 0 && pair.other == object;
+    if (pair.component >= 0)
+    {
+        return frictionCompliance(pair);
+    }
 
     scalar sum = inverse(object, pair.node, pair.node, n);
     for (label k = 0; k < b.nModes; ++k)
@@ -292,6 +284,11 @@ void Foam::fsi::contactResponse::addImpulse
             pair.weights.cdata(),
             -j
         );
+        for (label i = 0; pair.couple && i < surfaces_->nNodes(); ++i)
+        {
+            const vector& c = (*pair.couple)[i];
+            addImpulse(pair.other, 1, &f[i], &whole, -impulse*c);
+        }
         addModes(pair.other, otherShares_[pairi], impulse);
     }
 }

@@ -8,7 +8,8 @@
 Foam::fsi::contactSolver::contactSolver(const dictionary& dict)
 :
     tolerance_(readPositive(dict, "tolerance", 1e-4)),
-    maxSweeps_(readBetween(dict, "maxSweeps", 100, 1, 1000000))
+    maxSweeps_(readBetween(dict, "maxSweeps", 100, 1, 1000000)),
+    friction_(dict)
 {}
 
 
@@ -22,6 +23,10 @@ Foam::scalar Foam::fsi::contactSolver::relax
 )
 {
     const contactPair& pair = problem.found.pairs[pairi];
+    if (pair.component >= 0)
+    {
+        return pair.component > 0 ? 0 : relaxFriction(problem, pairi);
+    }
     const scalar compliance = compliances_[pairi];
     if (compliance < VSMALL)
     {
@@ -29,9 +34,7 @@ Foam::scalar Foam::fsi::contactSolver::relax
     }
 
     const scalar u =
-        response_.normalVelocity(pairi)
-      + (problem.exchange ? shared_.velocity(pairi) : 0)
-      - compliance*impulses_[pairi];
+        velocity(problem, pairi) - compliance*impulses_[pairi];
 
     // With the gap stretched by c an energy s w(c g)/c has the pressure w'
     const scalar c = pair.stretch;
@@ -48,12 +51,15 @@ Foam::scalar Foam::fsi::contactSolver::relax
     const scalar change = impulse - impulses_[pairi];
     if (change != 0)
     {
-        response_.addImpulse(pairi, change);
-        if (problem.exchange)
-        {
-            shared_.addImpulse(pairi, change);
-        }
+        addImpulse(problem, pairi, change);
         impulses_[pairi] = impulse;
+    }
+    if (friction_.active())
+    {
+        friction_.setLoad
+        (
+            problem, pairi, impulse, resistances_[pairi], endGaps_[pairi]
+        );
     }
     return mag(change)*compliance*problem.dt;
 }
@@ -161,9 +167,7 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::label Foam::fsi::contactSolver::solve
+Foam::label Foam::fsi::contactSolver::sweeps
 (
     const contactProblem& problem,
     const contactRule& rule
@@ -199,16 +203,38 @@ Foam::label Foam::fsi::contactSolver::solve
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::fsi::contactSolver::solve
+(
+    const contactProblem& problem,
+    const contactRule& rule
+)
+{
+    if (!friction_.active())
+    {
+        return sweeps(problem, rule);
+    }
+    friction_.set(problem);
+    return sweeps(friction_.with(problem), rule);
+}
+
+
 void Foam::fsi::contactSolver::addForces
 (
     const contactProblem& problem,
     vectorField& force
 ) const
 {
+    const contactProblem whole
+    (
+        friction_.active() ? friction_.with(problem) : problem
+    );
     for (const label pairi : order_.pairs())
     {
-        const contactPair& pair = problem.found.pairs[pairi];
-        const vector f(impulses_[pairi]/problem.dt*pair.normal);
+        const contactPair& pair = whole.found.pairs[pairi];
+        const scalar size = impulses_[pairi]/problem.dt;
+        const vector f(size*pair.normal);
 
         force[pair.node] += f;
         if (pair.face >= 0)
@@ -217,6 +243,8 @@ void Foam::fsi::contactSolver::addForces
             for (label i = 0; i < problem.surfaces.nNodes(); ++i)
             {
                 force[face[i]] -= pair.weights[i]*f;
+                force[face[i]] -=
+                    pair.couple ? size*(*pair.couple)[i] : vector(Zero);
             }
         }
     }

@@ -43,7 +43,8 @@ void Foam::fsi::sharedEdges::setEdges
             (
                 own == e.high,
                 pair.node - surfaces.pointStart()[own],
-                pair.gap
+                pair.gap,
+                pair.component
             );
         };
         std::sort
