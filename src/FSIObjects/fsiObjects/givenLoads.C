@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "givenLoads.H"
+#include "nodesInRegion.H"
 #include "openfoamFunction.H"
 #include "rigidTurn.H"
 
@@ -44,7 +45,9 @@ static void addTorque
 Foam::fsi::givenLoads::givenLoads(const population& bodies)
 :
     forces_(bodies.groups().size()),
-    torques_(bodies.groups().size())
+    torques_(bodies.groups().size()),
+    pulls_(bodies.groups().size()),
+    pulled_(bodies.groups().size())
 {
     forAll(bodies.groups(), groupi)
     {
@@ -61,6 +64,44 @@ Foam::fsi::givenLoads::givenLoads(const population& bodies)
         {
             torques_.set(groupi, readFunction<vector>(motion, "torque"));
         }
+        readPulls
+        (
+            groupi,
+            bodies.groups()[groupi].shape(),
+            motion.subOrEmptyDict("pulls")
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::givenLoads::readPulls
+(
+    const label groupi,
+    const shapeTemplate& shape,
+    const dictionary& dict
+)
+{
+    PtrList<Function1<vector>>& forces = pulls_[groupi];
+    forces.setSize(dict.size());
+    pulled_[groupi].setSize(dict.size());
+    label pulli = 0;
+    for (const entry& e : dict)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry '" << e.keyword() << "' in dictionary "
+                << dict.name() << " must be the dictionary of a region"
+                << exit(FatalIOError);
+        }
+        pulled_[groupi][pulli] = nodesInRegion
+        (
+            e.dict(), shape.mesh().points, shape.nDims(), "force"
+        );
+        forces.set(pulli, readFunction<vector>(e.dict(), "force"));
+        ++pulli;
     }
 }
 
@@ -99,6 +140,18 @@ void Foam::fsi::givenLoads::add
             torques_[groupi].value(time),
             force.middleCols(nDims*copyi, nDims)
         );
+    }
+    forAll(pulls_[groupi], pulli)
+    {
+        const labelList& nodes = pulled_[groupi][pulli];
+        const vector each(pulls_[groupi][pulli].value(time)/nodes.size());
+        for (Eigen::Index column = 0; column < force.cols(); ++column)
+        {
+            for (const label nodei : nodes)
+            {
+                force(nodei, column) += each[direction(column % nDims)];
+            }
+        }
     }
 }
 

@@ -15,7 +15,8 @@ namespace fsi
 //- Points of the kernel
 static label readKernel(const dictionary& dict)
 {
-    checkKeys(dict, {"kernel"});
+    checkKeys(dict, {"kernel", "contact"});
+    checkSubDicts(dict, {"contact"});
     return readBetween(dict, "kernel", 3, 2, 4);
 }
 
@@ -75,6 +76,11 @@ Foam::fsi::immersedMembranes::immersedMembranes
         faces_.reset(new faceLattice(geometry.grid()));
         transfer_.reset(new staggeredTransfer(faces_->lattice(), width_));
     }
+    const dictionary& dict = objects.properties().subOrEmptyDict("membranes");
+    if (any && dict.found("contact"))
+    {
+        contact_.reset(new membraneContact(objects, dict.subDict("contact")));
+    }
     if (viscosityContrast::wanted(bodies_, fluid_))
     {
         contrast_.reset
@@ -110,6 +116,10 @@ void Foam::fsi::immersedMembranes::spread
     if (!active())
     {
         return;
+    }
+    if (contact_.valid())
+    {
+        addContact(step.dt, force);
     }
     setForces(step.dt, force);
     faces_->setZero(values_);

@@ -62,6 +62,26 @@ void Foam::fsi::immersedMembranes::addPart
 }
 
 
+void Foam::fsi::immersedMembranes::addContact
+(
+    const scalar deltaT,
+    nodeLayout::groupNodal& force
+)
+{
+    partialForces part(bodies_.surfaces().points().size());
+    contact_->add(deltaT, part.mine());
+    if (!bodies_.ranks().shared())
+    {
+        addPart(part, force);
+        return;
+    }
+    // Each rank has found all pairs
+    nodeLayout::groupNodal inGroups;
+    bodies_.layout().toGroups(part.mine(), inGroups);
+    nodeLayout::add(inGroups, force);
+}
+
+
 void Foam::fsi::immersedMembranes::setForces
 (
     const scalar deltaT,

@@ -73,23 +73,24 @@ static word oversized(const std::string& text)
     std::size_t at = text.find_first_of("({");
     for (; at != std::string::npos; at = text.find_first_of("({", at + 1))
     {
+        // A number in a list of lists is a value, and among the bytes of
+        // numbers only what has the type of a list counts
         const std::size_t end = text.find_last_not_of(blanks, at - 1);
-        const std::size_t before =
-            at == 0 || end == std::string::npos
-          ? end
-          : text.find_last_not_of("0123456789", end);
-        if (before == std::string::npos || before == end)
+        const std::size_t before = text.find_last_of(" \t\r\n(){};>", end);
+        const std::size_t type = text.find_last_not_of(blanks, before);
+        if (at == 0 || before >= end || type > before)
         {
             continue;
         }
-        // Among the bytes of numbers only what has the type of a list counts
-        const std::size_t type = text.find_last_not_of(blanks, before);
-        const scalar n = std::strtod(text.c_str() + before + 1, nullptr);
+        const bool negative = text[before + 1] == '-';
+        const std::size_t digits = before + 1 + negative;
+        const scalar n = std::strtod(text.c_str() + digits, nullptr);
         const scalar most = (text[at] == '{' ? 1000.0 : 1.0)*text.size();
         if
         (
-            (n > most || text[before] == '-')
-         && (!binary || (type != std::string::npos && text[type] == '>'))
+            text.find_first_not_of("0123456789", digits) > end
+         && (n > most || negative) && text[type] != '(' && text[type] != ')'
+         && (!binary || text[type] == '>')
         )
         {
             std::string key;

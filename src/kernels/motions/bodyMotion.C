@@ -59,11 +59,16 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
                 readFunction<vector>(dict, load);
             }
         }
+        const wordList regions({"pulls"});
         const wordList freedoms({"translations", "rotations"});
         checkKeys
         (
-            dict, {"type", loads[0], loads[1], freedoms[0], freedoms[1]}
+            dict,
+            {
+                "type", loads[0], loads[1], regions[0], freedoms[0], freedoms[1]
+            }
         );
+        checkSubDicts(dict, regions);
         return autoPtr<bodyMotion>();
     }
 

@@ -17,6 +17,7 @@ import re
 import subprocess
 import sys
 
+import adhesion
 import fsiCase
 import results
 
@@ -263,6 +264,7 @@ def main(folder):
     report.attempt("thin", check_thin, report, folder)
     report.attempt("ranks", check_ranks, report, folder)
     report.attempt("walls", check_walls, report, folder)
+    report.attempt("adhesion", adhesion.check, report, folder)
     report.attempt("restart", check_restart, report, folder)
     report.attempt("refused", check_refused, report, folder)
 
