@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Elastic spheres and a rigid one that collide with friction in a box with a
-moving lid give the same trajectories on one, two and four ranks, and when a run
-on one rank goes on on two, or one on four on one.
+"""Elastic spheres and a rigid one that collide in a box with a moving lid give
+the same trajectories on one, two and four ranks, and when a run on one rank
+goes on on two, or one on four on one.
 
     solidRanks.py FOLDER
 """
@@ -43,9 +43,7 @@ def box(folder, name):
     return fsiCase.Case(
         os.path.join(folder, name), box=(0, 0, 0, 1, 1, 1), cells=(N, N, N),
         density=1000, viscosity=0.01, walls={"top": "(0.5 0 0)"},
-        shapes=SHAPES, placements=PLACEMENTS,
-        properties="contact { law { frictionCoefficient 0.3; } }\n",
-        startFrom="latestTime",
+        shapes=SHAPES, placements=PLACEMENTS, startFrom="latestTime",
         deltaT=STEP, endTime=STEP*STEPS, writeInterval=STEPS//2,
         writePrecision=17, p_tolerance=1e-12, U_tolerance=1e-12).set_up()
 
