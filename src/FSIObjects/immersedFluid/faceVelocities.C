@@ -2,6 +2,7 @@
 
 #include "faceVelocities.H"
 #include "openfoamMesh.H"
+#include "sumOverRanks.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -95,6 +96,53 @@ void Foam::fsi::faceVelocities::setCutPatchFaces
 }
 
 
+void Foam::fsi::faceVelocities::setFilms
+(
+    const vectorField& wall,
+    surfaceScalarField& result
+) const
+{
+    const fvMesh& mesh = result.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    scalarField onBoundary;
+    setZeroOnCoupled(mesh, onBoundary);
+    for (const filmFace& film : geometry_.films().faces())
+    {
+        const scalar along = film.velocity(wall);
+        const scalar value =
+            geometry_.grid().faceAlong(film.face) ? along : -along;
+        if (film.face < nInternal)
+        {
+            result[film.face] = value;
+        }
+        else
+        {
+            onBoundary[film.face - nInternal] = 0.5*value;
+        }
+    }
+    // All ranks swap, be they without coupled faces
+    if (!severalRanks() && !geometry_.grid().coupled())
+    {
+        return;
+    }
+    // Both sides of a coupled patch to the last bit
+    scalarList across;
+    swapCoupledFaces(mesh, onBoundary, across);
+    for (fvsPatchScalarField& pr : result.boundaryFieldRef())
+    {
+        for (label i = 0; i < pr.size() && pr.coupled(); ++i)
+        {
+            const label facei = pr.patch().start() + i;
+            if (geometry_.films().has(facei))
+            {
+                pr[i] =
+                    onBoundary[facei - nInternal] - across[facei - nInternal];
+            }
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalarField Foam::fsi::faceVelocities::patchMean
@@ -176,6 +224,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
 {
     tmp<surfaceScalarField> tvelocity(middleVelocity(v));
     addOpenParts(v, tvelocity.ref());
+    setFilms(v.wall, tvelocity.ref());
     return tvelocity;
 }
 
@@ -202,6 +251,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::nearVelocity
     const sources v{U, wallVelocity, nullptr, 0};
     setCutFaces(v, velocity);
     addOpenParts(v, velocity);
+    setFilms(wallVelocity, velocity);
     return tvelocity;
 }
 

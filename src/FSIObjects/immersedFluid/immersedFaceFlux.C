@@ -90,6 +90,63 @@ void Foam::fsi::immersedFlux::fadeOnPatches
 }
 
 
+Foam::scalar& Foam::fsi::immersedFlux::atFace
+(
+    surfaceScalarField& field,
+    const label facei
+)
+{
+    if (facei < field.size())
+    {
+        return field[facei];
+    }
+    const label patchi = field.mesh().boundaryMesh().whichPatch(facei);
+    fvsPatchScalarField& pf = field.boundaryFieldRef()[patchi];
+    return pf[facei - pf.patch().start()];
+}
+
+
+Foam::scalarList Foam::fsi::immersedFlux::filmVelocities
+(
+    surfaceScalarField& velocity
+) const
+{
+    const UList<filmFace>& films = geometry_.films().faces();
+    scalarList result(films.size());
+    forAll(films, i)
+    {
+        result[i] = atFace(velocity, films[i].face);
+    }
+    return result;
+}
+
+
+void Foam::fsi::immersedFlux::setFilmFluxes
+(
+    const scalarList& velocity,
+    const surfaceScalarField& thistory,
+    const scalar viscosity,
+    surfaceScalarField& flux
+) const
+{
+    const UList<filmFace>& films = geometry_.films().faces();
+    const scalar area = geometry_.grid().faceArea();
+    const scalar tau = rule_.length().tau;
+    surfaceScalarField& history = const_cast<surfaceScalarField&>(thistory);
+    forAll(films, i)
+    {
+        const label facei = films[i].face;
+        atFace(flux, facei) =
+            area*geometry_.openness()[facei]
+           *(
+                velocity[i]
+              + geometry_.films().kept(facei, tau, viscosity)
+               *atFace(history, facei)
+            );
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
@@ -111,6 +168,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     flux.rename("phiHbyA");
     flux.dimensions().reset(dimVelocity*dimArea);
 
+    const scalarList inFilms(filmVelocities(flux));
     const tmp<surfaceScalarField> thistory(rule_.start(faceHistory_));
     const surfaceScalarField& history = thistory();
     const surfaceScalarField& open = geometry_.openArea();
@@ -136,6 +194,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
            *pf.patch().magSf()*open.boundaryField()[patchi];
     }
     fadeOnPatches(lost, ofCut, gradient, p, flux);
+    setFilmFluxes(inFilms, history, viscosity, flux);
     return tflux;
 }
 

@@ -138,6 +138,16 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
               : 0;
         }
     }
+    // What films keep is decided in the next step
+    surfaceScalarField& between = const_cast<surfaceScalarField&>(interpolated);
+    for (const filmFace& film : geometry_.films().faces())
+    {
+        const scalar openness = geometry_.openness()[film.face];
+        atFace(faceHistory_, film.face) =
+            atFace(const_cast<surfaceScalarField&>(phi), film.face)
+           /(openness*area)
+          - atFace(between, film.face);
+    }
 }
 
 

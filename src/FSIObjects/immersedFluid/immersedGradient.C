@@ -129,7 +129,14 @@ void Foam::fsi::immersedGradient::subtractWalls(gradientWeights& weights) const
         {
             if (celli >= 0 && w.face < nInternal)
             {
-                weights.subtract(celli, w.dir, 1 - open[w.face]);
+                weights.subtract
+                (
+                    celli,
+                    w.dir,
+                    w.film
+                  ? w.area/geometry_.grid().faceArea()
+                  : 1 - open[w.face]
+                );
             }
         }
     }

@@ -11,6 +11,10 @@ char Foam::fsi::movedFaces::kindOf(const label facei) const
     {
         return closed;
     }
+    if (geometry_.films().has(facei))
+    {
+        return film;
+    }
     const fvMesh& mesh = geometry_.grid().mesh();
     const boolList& fluid = geometry_.fluidCell();
     const label nInternal = mesh.nInternalFaces();

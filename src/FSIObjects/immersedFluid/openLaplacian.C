@@ -3,13 +3,47 @@
 #include "openfoamMesh.H"
 #include "openLaplacian.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- A rAU times the area of the faces of a patch
+static scalarField patchConductance
+(
+    const interfaceGeometry& geometry,
+    const volScalarField& p,
+    const label patchi,
+    const scalar rAU,
+    const scalar viscosity
+)
+{
+    const fvPatch& patch = p.boundaryField()[patchi].patch();
+    scalarField g
+    (
+        rAU*geometry.openArea().boundaryField()[patchi]*patch.magSf()
+    );
+    for (label i = 0; i < g.size() && patch.coupled(); ++i)
+    {
+        g[i] *= geometry.films().kept(patch.start() + i, rAU, viscosity);
+    }
+    return g;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::openLaplacian
 (
     const interfaceGeometry& geometry,
     const volScalarField& p,
-    const scalar rAU
+    const scalar rAU,
+    const scalar viscosity
 )
 {
     const fvMesh& mesh = p.mesh();
@@ -35,13 +69,24 @@ Foam::tmp<Foam::fvScalarMatrix> Foam::fsi::openLaplacian
         diagonal[own[facei]] += g;
         diagonal[nei[facei]] += g;
     }
+    for (const filmFace& film : geometry.films().faces())
+    {
+        if (film.face < mesh.nInternalFaces())
+        {
+            const scalar kept =
+                geometry.films().kept(film.face, rAU, viscosity);
+            const scalar lost = (1 - kept)*whole*open[film.face];
+            upper[film.face] += lost;
+            diagonal[own[film.face]] -= lost;
+            diagonal[nei[film.face]] -= lost;
+        }
+    }
     forAll(p.boundaryField(), patchi)
     {
-        const scalarField& area = p.boundaryField()[patchi].patch().magSf();
         addPatchDiffusion
         (
             patchi,
-            rAU*open.boundaryField()[patchi]*area,
+            patchConductance(geometry, p, patchi, rAU, viscosity),
             equation
         );
     }
@@ -121,6 +166,7 @@ void Foam::fsi::subtractGradient
     const interfaceGeometry& geometry,
     const volScalarField& p,
     const scalar rAU,
+    const scalar viscosity,
     surfaceScalarField& flux
 )
 {
@@ -133,11 +179,22 @@ void Foam::fsi::subtractGradient
     {
         flux[facei] -= whole*open[facei]*(p[nei[facei]] - p[own[facei]]);
     }
+    for (const filmFace& film : geometry.films().faces())
+    {
+        const label facei = film.face;
+        if (facei < own.size())
+        {
+            const scalar kept = geometry.films().kept(facei, rAU, viscosity);
+            flux[facei] +=
+                (1 - kept)*whole*open[facei]
+               *(p[nei[facei]] - p[own[facei]]);
+        }
+    }
     forAll(p.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
         flux.boundaryFieldRef()[patchi] -=
-            rAU*open.boundaryField()[patchi]*pp.patch().magSf()
+            patchConductance(geometry, p, patchi, rAU, viscosity)
            *normalGradient(pp);
     }
 }

@@ -107,7 +107,12 @@ void Foam::fsi::cutFaces::findWalls()
         const bool active = activeCell[own];
         const bool otherActive = nei >= 0 && activeCell[nei];
 
-        if (openness[facei] < 1 && (active || otherActive))
+        if
+        (
+            openness[facei] < 1
+         && (active || otherActive)
+         && !open_.films().has(facei)
+        )
         {
             if (openness[facei] > 0 && !fluid && !otherFluid)
             {
@@ -171,6 +176,34 @@ void Foam::fsi::cutFaces::placeWallFaces
             nearestFace[here + grid_.stepAcross(w.face)],
             origin.surface
         );
+    }
+}
+
+
+void Foam::fsi::cutFaces::addFilms()
+{
+    const labelList& owner = grid_.mesh().faceOwner();
+    const labelList& neighbour = grid_.mesh().faceNeighbour();
+    const vectorField& faceAreas = grid_.mesh().faceAreas();
+    for (const filmFace& film : open_.films().faces())
+    {
+        const label facei = film.face;
+        for (label side = 0; side < 2; ++side)
+        {
+            if (film.closed[side] > 0)
+            {
+                const bool internal = facei < neighbour.size();
+                addWallFace
+                (
+                    facei, owner[facei], internal ? neighbour[facei] : -1
+                );
+                wallFace& w = wallFaces_[wallFaces_.size() - 1];
+                w.area = film.closed[side]*mag(faceAreas[facei]);
+                w.film = true;
+                w.place = film.places[side];
+                wallOrigins_.append(film.origins[side]);
+            }
+        }
     }
 }
 
@@ -240,6 +273,7 @@ void Foam::fsi::cutFaces::update
 {
     findWalls();
     placeWallFaces(levelSet, surfaces);
+    addFilms();
     placeWallLinks(levelSet, surfaces);
 }
 

@@ -99,7 +99,7 @@ void Foam::fsi::interfaceGeometry::update
     const surfaceSet& surfaces
 )
 {
-    open_.update(levelSet);
+    open_.update(levelSet, surfaces);
     setFields();
     cutFaces_.update(levelSet, surfaces);
     cellWalls_.update

@@ -56,7 +56,11 @@ Foam::scalar Foam::fsi::openParts::openPart
 }
 
 
-void Foam::fsi::openParts::setOpenness(const levelSetUpdate& levelSet)
+void Foam::fsi::openParts::setOpenness
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
 {
     const fvMesh& mesh = grid_.mesh();
     const labelList& owner = mesh.faceOwner();
@@ -78,6 +82,13 @@ void Foam::fsi::openParts::setOpenness(const levelSetUpdate& levelSet)
         nearFaces_.append(facei);
         openness_[facei] = openPart(levelSet, facei, here);
     });
+
+    films_.update(levelSet, surfaces, nearFaces_);
+    for (const filmFace& film : films_.faces())
+    {
+        openness_[film.face] =
+            max(1 - film.closed[0] - film.closed[1], smallestOpenness);
+    }
 
     // On cyclic patches the distances of both sides differ by round-off
     SubList<scalar> boundary
@@ -146,20 +157,25 @@ Foam::fsi::openParts::openParts
     openness_(grid.mesh().nFaces(), 1),
     first_(true),
     fluidCell_(grid.mesh().nCells(), true),
-    activeCell_(grid.mesh().nCells(), true)
+    activeCell_(grid.mesh().nCells(), true),
+    films_(grid, wall)
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::openParts::update(const levelSetUpdate& levelSet)
+void Foam::fsi::openParts::update
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
 {
     first_ = lastOpenness_.empty();
     if (!first_)
     {
         lastOpenness_.swap(openness_);
     }
-    setOpenness(levelSet);
+    setOpenness(levelSet, surfaces);
     if (first_)
     {
         lastOpenness_ = openness_;

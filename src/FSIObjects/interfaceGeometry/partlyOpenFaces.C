@@ -131,6 +131,7 @@ void Foam::fsi::partlyOpenFaces::update
         if
         (
             openness[w.face] > 0
+         && !w.film
          && (
                 w.face < nInternal
              || patches[patches.whichPatch(w.face)].coupled()

@@ -110,7 +110,8 @@ Foam::labelList Foam::fsi::thinFilms::halfClosedCells
     {
         fetchAhead(openness[fetchedAhead(wallFaces, i).face]);
         const wallFace& w = wallFaces[i];
-        const scalar closed = 1 - openness[w.face];
+        const scalar closed =
+            w.film ? w.area/grid_.faceArea() : 1 - openness[w.face];
         for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0)

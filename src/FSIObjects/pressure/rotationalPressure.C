@@ -66,6 +66,7 @@ void Foam::fsi::addRotationalPart
         geometry,
         volScalarField("change", p - last),
         grid.spacing()/grid.faceArea(),
+        0,
         flux
     );
     scalarField laplacian(p.size(), Zero);

@@ -42,7 +42,8 @@ void Foam::fsi::immersedStep::solvePressure()
     (
         objects_.timer(), stepTimer::part::pressure
     );
-    tmp<fvScalarMatrix> pEqn(openLaplacian(geometry_, p_, step().tau));
+    const scalar nu = objects_.fluid().viscosity;
+    tmp<fvScalarMatrix> pEqn(openLaplacian(geometry_, p_, step().tau, nu));
 
     // Walls' flux without the pressure
     const scalarField last(walls_.atWalls(oldPressure_().primitiveField()));
@@ -69,7 +70,7 @@ void Foam::fsi::immersedStep::solvePressure()
     );
     pEqn.clear();
 
-    subtractGradient(geometry_, p_, step().tau, phi_);
+    subtractGradient(geometry_, p_, step().tau, nu, phi_);
     momentum_.cut().end(phi_);
 
     // Velocities of all nodes with the increment of the pressure

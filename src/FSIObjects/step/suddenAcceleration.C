@@ -140,7 +140,7 @@ void Foam::fsi::suddenAcceleration::setSource
     // As for the pressure of a step: what p^n has is taken back
     const tmp<surfaceScalarField> tflux(flux(p));
     surfaceScalarField fluxes(tflux());
-    subtractGradient(geometry_, p, -deltaT_, fluxes);
+    subtractGradient(geometry_, p, -deltaT_, 0, fluxes);
 
     vectorField lastPart;
     velocity(walls_.atWalls(p.primitiveField()), lastPart);
@@ -172,7 +172,7 @@ void Foam::fsi::suddenAcceleration::answer
         return;
     }
     const scalarField before(last.primitiveField());
-    tmp<fvScalarMatrix> pEqn(openLaplacian(geometry_, last, deltaT_));
+    tmp<fvScalarMatrix> pEqn(openLaplacian(geometry_, last, deltaT_, 0));
     scalarField source;
     setSource(last, source);
     pressure.solve(last, pEqn.ref(), source, *this, before, step);

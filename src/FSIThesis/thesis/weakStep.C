@@ -133,13 +133,14 @@ void Foam::fsi::weakStep::solvePressure
 )
 {
     const scalar dt = rule_.length().tau;
+    const scalar nu = objects_.fluid().viscosity;
     setGivenFlux(wallVelocity_);
     {
         const stepTimer::section pressure
         (
             objects_.timer(), stepTimer::part::pressure
         );
-        tmp<fvScalarMatrix> tpEqn(openLaplacian(geometry_, p_, dt));
+        tmp<fvScalarMatrix> tpEqn(openLaplacian(geometry_, p_, dt, nu));
         fvScalarMatrix& pEqn = tpEqn.ref();
 
         walls_.flux(wallVelocity_, pEqn.source());
@@ -149,11 +150,11 @@ void Foam::fsi::weakStep::solvePressure
         fluidRegions(geometry_, p_).removeNetSource(pEqn.source());
 
         solvePressureEquation(pEqn);
-        subtractGradient(geometry_, p_, dt, phi_);
+        subtractGradient(geometry_, p_, dt, nu, phi_);
     }
     gradients_.correctVelocity
     (
-        U_, gradP, p_, dt, objects_.fluid().viscosity
+        U_, gradP, p_, dt, nu
     );
     sources.correct(U_);
 }

@@ -78,9 +78,8 @@ void Foam::fsi::fixedSamples::keep
     const surfaceSet& surfaces,
     const cartesianBlock& block,
     const scalar farSqr,
-    const scalarField& distanceSqr,
-    const labelList& nearestFace,
-    const labelList& enclosing
+    const FixedList<scalarField*, 2>& distancesSqr,
+    const FixedList<labelList*, 3>& labels
 )
 {
     origin_ = block.origin();
@@ -97,14 +96,21 @@ void Foam::fsi::fixedSamples::keep
     points_ = points;
 
     farSqr_ = farSqr;
-    distanceSqr_.clear();
-    nearestFace_.clear();
-    enclosing_.clear();
-    if (objects_.size())
+    forAll(distancesSqr_, i)
     {
-        distanceSqr_ = distanceSqr;
-        nearestFace_ = nearestFace;
-        enclosing_ = enclosing;
+        distancesSqr_[i].clear();
+        if (objects_.size())
+        {
+            distancesSqr_[i] = *distancesSqr[i];
+        }
+    }
+    forAll(labels_, i)
+    {
+        labels_[i].clear();
+        if (objects_.size())
+        {
+            labels_[i] = *labels[i];
+        }
     }
 }
 
@@ -113,9 +119,8 @@ void Foam::fsi::fixedSamples::copy
 (
     const label begin,
     const label end,
-    scalarField& distanceSqr,
-    labelList& nearestFace,
-    labelList& enclosing
+    const FixedList<scalarField*, 2>& distancesSqr,
+    const FixedList<labelList*, 3>& labels
 ) const
 {
     const auto set = [&](const auto& from, auto& to, const auto& otherwise)
@@ -132,9 +137,14 @@ void Foam::fsi::fixedSamples::copy
             std::fill(to.begin() + begin, to.begin() + end, otherwise);
         }
     };
-    set(distanceSqr_, distanceSqr, farSqr_);
-    set(nearestFace_, nearestFace, label(-1));
-    set(enclosing_, enclosing, label(-1));
+    forAll(distancesSqr_, i)
+    {
+        set(distancesSqr_[i], *distancesSqr[i], farSqr_);
+    }
+    forAll(labels_, i)
+    {
+        set(labels_[i], *labels[i], label(-1));
+    }
 }
 
 

@@ -58,6 +58,8 @@ void Foam::fsi::surfaceDistance::addObjects
         {
             continue;
         }
+        firstFace_ = surfaces.faceStart()[objecti];
+        endFace_ = surfaces.faceStart()[objecti + 1];
         const boundBox box(reach(surfaces, objecti));
         if (fetchSamples(block, box.min(), box.max(), distance_))
         {
@@ -79,7 +81,13 @@ void Foam::fsi::surfaceDistance::setFixed(const sampleRanges& samples)
 {
     for (const labelPair& r : samples.ranges())
     {
-        fixed_.copy(r.first(), r.second(), distance_, nearestFace_, object_);
+        fixed_.copy
+        (
+            r.first(),
+            r.second(),
+            {&distance_, &secondDistance_},
+            {&nearestFace_, &object_, &secondFace_}
+        );
     }
 }
 
@@ -101,6 +109,7 @@ void Foam::fsi::surfaceDistance::finish
                 distance = sqrt(distance_[samplei]);
                 object_[samplei] = surfaces.faceObject()[nearestFace_[samplei]];
             }
+            secondDistance_[samplei] = sqrt(secondDistance_[samplei]);
             if (object_[samplei] >= 0)
             {
                 object_[samplei] = surfaces.original(object_[samplei]);
@@ -120,14 +129,22 @@ void Foam::fsi::surfaceDistance::restart
     distance_.setSize(block.size());
     nearestFace_.setSize(block.size());
     object_.setSize(block.size());
+    secondDistance_.setSize(block.size());
+    secondFace_.setSize(block.size());
     distance_ = sqr(bandWidth_);
+    secondDistance_ = sqr(bandWidth_);
+    secondFace_ = -1;
     nearestFace_ = -1;
     object_ = -1;
 
     addObjects(surfaces, block, true);
     fixed_.keep
     (
-        surfaces, block, sqr(bandWidth_), distance_, nearestFace_, object_
+        surfaces,
+        block,
+        sqr(bandWidth_),
+        {&distance_, &secondDistance_},
+        {&nearestFace_, &object_, &secondFace_}
     );
     touched_ = sampleRanges(block);
     finish(surfaces, touched_);

@@ -28,10 +28,23 @@ inline void Foam::fsi::surfaceDistance::take
     const scalar distanceSqr
 )
 {
-    if (distanceSqr < clearlyLess*distance_[samplei])
+    scalar& nearest = distance_[samplei];
+    label& nearestFace = nearestFace_[samplei];
+    const bool same = nearestFace >= firstFace_ && nearestFace < endFace_;
+    if (distanceSqr < clearlyLess*nearest)
     {
-        distance_[samplei] = distanceSqr;
-        nearestFace_[samplei] = facei;
+        if (nearestFace >= 0 && !same)
+        {
+            secondDistance_[samplei] = nearest;
+            secondFace_[samplei] = nearestFace;
+        }
+        nearest = distanceSqr;
+        nearestFace = facei;
+    }
+    else if (!same && distanceSqr < clearlyLess*secondDistance_[samplei])
+    {
+        secondDistance_[samplei] = distanceSqr;
+        secondFace_[samplei] = facei;
     }
 }
 
