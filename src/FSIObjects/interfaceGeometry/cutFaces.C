@@ -4,6 +4,7 @@
 #include "cutFaces.H"
 #include "fetchAhead.H"
 #include "levelSetUpdate.H"
+#include "surfaceSample.H"
 #include "wallTreatment.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -219,6 +220,7 @@ void Foam::fsi::cutFaces::placeWallLinks
     const scalarField& distance = levelSet.cellDistance();
     const labelList& nearestFace = levelSet.nearestFace();
     const labelList& haloIndex = grid_.haloIndex();
+    const bool films = open_.films().used(levelSet);
     forAll(wallLinks_, i)
     {
         const label later = fetchedAhead(wallLinks_, i).cell;
@@ -230,8 +232,30 @@ void Foam::fsi::cutFaces::placeWallLinks
         const label sign = link.upwards ? 1 : -1;
         const label here = haloIndex[link.cell];
         const label there = here + sign*grid_.haloStride(link.dir);
+        FixedList<label, 2> faces({nearestFace[here], nearestFace[there]});
+        scalar away = distance[here];
+        if (films && faces[0] != faces[1])
+        {
+            // In a film the surface on this side may be another object's
+            scalar fromIt;
+            label itsFace;
+            if
+            (
+                surfaceSample::centre(levelSet, here).from
+                (
+                    surfaces,
+                    surfaces.faceObject()[faces[1]],
+                    fromIt,
+                    itsFace
+                )
+            )
+            {
+                away = fromIt;
+                faces[0] = itsFace;
+            }
+        }
         link.wallDistance =
-            wall_.wallDistance(distance[here], min(distance[there], 0.0));
+            wall_.wallDistance(away, min(distance[there], 0.0));
         link.conductance = grid_.faceArea()/(link.wallDistance*h);
 
         point wallPoint(C[link.cell]);
@@ -241,8 +265,8 @@ void Foam::fsi::cutFaces::placeWallLinks
         (
             surfaces,
             wallPoint,
-            nearestFace[here],
-            nearestFace[there],
+            faces[0],
+            faces[1],
             found
         );
     }

@@ -34,17 +34,12 @@ void Foam::fsi::filmFaces::setSamples
     const FixedList<label, 4>& corners = grid_.faceCorners(facei);
     for (label i = 0; i < nCorners; ++i)
     {
-        p.samples[i] =
-        {
-            &levelSet.cornerSamples(), &levelSet.cornerDistance(), corners[i]
-        };
+        p.samples[i] = surfaceSample::corner(levelSet, corners[i]);
     }
     for (const label at : {here, here + grid_.stepAcross(facei)})
     {
         p.samples[nCorners + (at != here)] =
-        {
-            &levelSet.centreSamples(), &levelSet.cellDistance(), at
-        };
+            surfaceSample::centre(levelSet, at);
     }
     p.nSamples = nCorners + 2;
 }
@@ -59,9 +54,10 @@ Foam::scalar Foam::fsi::filmFaces::choose
     scalar least = GREAT;
     for (label i = 0; i < p.nSamples; ++i)
     {
-        const sample& s = p.samples[i];
-        const label second = s.of->secondFace()[s.at];
-        if (s.of->nearestFace()[s.at] < 0)
+        const surfaceSample& s = p.samples[i];
+        const label nearest = s.nearestFace();
+        const label second = s.secondFace();
+        if (nearest < 0)
         {
             // A sample beyond the band: there is no narrow film
             return GREAT;
@@ -70,47 +66,15 @@ Foam::scalar Foam::fsi::filmFaces::choose
         {
             continue;
         }
-        const scalar gap =
-            (*s.distance)[s.at] + s.of->secondDistance()[s.at];
+        const scalar gap = s.distance() + s.secondDistance();
         if (gap < least)
         {
             least = gap;
-            const label nearest = s.of->nearestFace()[s.at];
             p.objects[0] = surfaces.faceObject()[nearest];
             p.objects[1] = surfaces.faceObject()[second];
         }
     }
     return least;
-}
-
-
-bool Foam::fsi::filmFaces::distance
-(
-    const surfaceSet& surfaces,
-    const sample& s,
-    const label object,
-    scalar& distance,
-    label& face
-)
-{
-    const label nearest = s.of->nearestFace()[s.at];
-    const label second = s.of->secondFace()[s.at];
-    if (nearest >= 0 && surfaces.faceObject()[nearest] == object)
-    {
-        distance = (*s.distance)[s.at];
-        face = nearest;
-        return true;
-    }
-    distance = s.of->bandWidth();
-    face = -1;
-    if (second >= 0 && surfaces.faceObject()[second] == object)
-    {
-        // It is outside of this one, inside at most of the nearest
-        distance = s.of->secondDistance()[s.at];
-        face = second;
-        return true;
-    }
-    return false;
 }
 
 
@@ -130,9 +94,9 @@ void Foam::fsi::filmFaces::measure
         FixedList<scalar, 2> d;
         label face;
         const bool first =
-            distance(surfaces, p.samples[i], p.objects[0], d[0], face);
+            p.samples[i].from(surfaces, p.objects[0], d[0], face);
         const bool second =
-            distance(surfaces, p.samples[i], p.objects[1], d[1], face);
+            p.samples[i].from(surfaces, p.objects[1], d[1], face);
         if (first && second)
         {
             sum += d[0] + d[1];
@@ -218,6 +182,12 @@ Foam::fsi::filmFaces::filmFaces
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::fsi::filmFaces::used(const levelSetUpdate& levelSet) const
+{
+    return wall_.opensFilms() && levelSet.knowsPairs();
+}
+
+
 void Foam::fsi::filmFaces::update
 (
     const levelSetUpdate& levelSet,
@@ -230,7 +200,7 @@ void Foam::fsi::filmFaces::update
         place_[film.face] = -1;
     }
     faces_.clear();
-    if (!wall_.opensFilms() || !levelSet.knowsPairs())
+    if (!used(levelSet))
     {
         return;
     }

@@ -83,10 +83,9 @@ void Foam::fsi::filmFaces::place
     {
         for (label i = 0; i < p.nSamples; ++i)
         {
-            distance
+            p.samples[i].from
             (
                 surfaces,
-                p.samples[i],
                 p.objects[side],
                 distances[side][i],
                 faces[side][i]

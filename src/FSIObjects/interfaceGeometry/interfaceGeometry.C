@@ -72,6 +72,7 @@ Foam::fsi::interfaceGeometry::interfaceGeometry
 :
     open_(grid, wall),
     cutFaces_(open_, wall),
+    filmLinks_(open_),
     cellWalls_(grid.mesh().nCells()),
     openFaces_(open_),
     films_(open_),
@@ -102,6 +103,7 @@ void Foam::fsi::interfaceGeometry::update
     open_.update(levelSet, surfaces);
     setFields();
     cutFaces_.update(levelSet, surfaces);
+    filmLinks_.update(levelSet, surfaces);
     cellWalls_.update
     (
         surfaces, cutFaces_.wallFaces(), cutFaces_.wallOrigins()

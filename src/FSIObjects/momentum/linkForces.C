@@ -57,19 +57,28 @@ void Foam::fsi::setCopyLinks
 {
     const labelList& start = bodies.surfaces().pointStart();
     List<DynamicList<scalar>> numbers(bodies.nHeld());
-    for (const wallLink& link : geometry.wallLinks())
+    const auto add = [&](const surfacePlace& place, const scalar conductance)
     {
-        const label objecti = link.place.object;
         copyLink c;
-        c.coefficient = viscosity*link.conductance;
+        c.coefficient = viscosity*conductance;
         forAll(c.nodes, i)
         {
-            const bool used =
-                i < link.place.nodes.size() && link.place.nodes[i] >= 0;
-            c.nodes[i] = used ? link.place.nodes[i] - start[objecti] : -1;
-            c.weights[i] = used ? link.place.weights[i] : 0;
+            const bool used = i < place.nodes.size() && place.nodes[i] >= 0;
+            c.nodes[i] = used ? place.nodes[i] - start[place.object] : -1;
+            c.weights[i] = used ? place.weights[i] : 0;
         }
-        pack(c, numbers[objecti]);
+        pack(c, numbers[place.object]);
+    };
+    for (const wallLink& link : geometry.wallLinks())
+    {
+        add(link.place, link.conductance);
+    }
+    for (const filmLink& link : geometry.betweenSurfaces())
+    {
+        for (const surfacePlace& place : link.places)
+        {
+            add(place, 2*link.conductance);
+        }
     }
     bodies.ranks().collect(numbers);
     links.resize(bodies.size());

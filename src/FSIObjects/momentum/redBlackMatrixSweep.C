@@ -123,10 +123,18 @@ Foam::scalar Foam::fsi::redBlackMatrix::startFrom
 }
 
 
-Foam::scalar Foam::fsi::redBlackMatrix::sweep(const scalar relaxation)
+Foam::scalar Foam::fsi::redBlackMatrix::sweep
+(
+    const scalar relaxation,
+    const scalar others
+)
 {
     const scalar ofRed = relax(true, relaxation);
-    lastResidual_ = norm(ofRed + relax(false, relaxation));
+    lastResidual_ =
+        norm
+        (
+            ofRed + relax(false, relaxation) + sqr(correctionScale_)*others
+        );
     if (nSweeps_++ == 0)
     {
         firstResidual_ = lastResidual_;

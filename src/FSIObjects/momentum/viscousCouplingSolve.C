@@ -20,7 +20,9 @@ void Foam::fsi::viscousCoupling::finish
     (
         geometry_, fluid_.dynamicViscosity(), U, nodalVelocity_, linkForce_
     );
-    force = partialForces(linkForce_).collect(bodies_.ranks());
+    partialForces all(linkForce_);
+    films_.addForce(fluid_.density, nodalVelocity_, all);
+    force = all.collect(bodies_.ranks());
     addShortWaveForce
     (
         bodies_, fluid_, geometry_.grid().thickness(), nodalVelocity_, force
@@ -70,7 +72,9 @@ void Foam::fsi::viscousCoupling::sweep
             setWalls(v);
             startCorrection(norm);
         }
-        result.finalResidual() = matrix_.sweep(relaxation_.factor());
+        const scalar factor = relaxation_.factor();
+        result.finalResidual() =
+            matrix_.sweep(factor, films_.relax(nodalVelocity_, factor));
         if (result.nIterations() == 0)
         {
             result.initialResidual() = result.finalResidual();
@@ -107,9 +111,13 @@ void Foam::fsi::viscousCoupling::solve
     (
         bodies_.layout().boundaryOf(predicted)
     );
+    setWalls(boundary);
+    films_.set
+    (
+        geometry_.betweenSurfaces(), fluid_.viscosity, nodalVelocity_
+    );
     if (momentumMultigrid::pays(bodies_, matrix_))
     {
-        setWalls(boundary);
         multigrid_.solve(UEqn, matrix_, result);
     }
     else

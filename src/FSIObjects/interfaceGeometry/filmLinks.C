@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "filmLinks.H"
+#include "surfaceSample.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::fsi::filmLinks::addLink
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces,
+    const label facei,
+    const label here,
+    const label there
+)
+{
+    const cartesianMesh& grid = open_.grid();
+    FixedList<surfaceSample, 2> samples
+    ({
+        surfaceSample::centre(levelSet, here),
+        surfaceSample::centre(levelSet, there)
+    });
+
+    // Where the line from each centre to the other leaves its object
+    FixedList<scalar, 2> leaves;
+    FixedList<FixedList<label, 2>, 2> faces;
+    for (label side = 0; side < 2; ++side)
+    {
+        const scalar inside = -samples[side].distance();
+        faces[side][0] = samples[side].nearestFace();
+        scalar outside;
+        if
+        (
+            !samples[1 - side].from
+            (
+                surfaces,
+                surfaces.faceObject()[faces[side][0]],
+                outside,
+                faces[side][1]
+            )
+        )
+        {
+            return;
+        }
+        leaves[side] = inside/max(inside + outside, VSMALL);
+    }
+
+    const cartesianBlock cells(grid.cells(1));
+    FixedList<point, 2> centres({cells.position(here), cells.position(there)});
+    filmLink link;
+    for (label side = 0; side < 2; ++side)
+    {
+        label found;
+        link.places[side] = nearestPlace
+        (
+            surfaces,
+            (1 - leaves[side])*centres[side] + leaves[side]*centres[1 - side],
+            faces[side][0],
+            faces[side][1],
+            found
+        );
+    }
+    const scalar width =
+        max(1 - leaves[0] - leaves[1], filmFaces::thinnest);
+    link.conductance = grid.faceArea()/(width*grid.spacing());
+    links_.append(link);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::filmLinks::filmLinks(const openParts& open)
+:
+    open_(open)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::filmLinks::update
+(
+    const levelSetUpdate& levelSet,
+    const surfaceSet& surfaces
+)
+{
+    links_.clear();
+    if (!open_.films().used(levelSet))
+    {
+        return;
+    }
+    const cartesianMesh& grid = open_.grid();
+    const polyBoundaryMesh& patches = grid.mesh().boundaryMesh();
+    const labelList& owner = grid.mesh().faceOwner();
+    const labelList& haloIndex = grid.haloIndex();
+    const scalarField& distance = levelSet.cellDistance();
+    const labelList& nearest = levelSet.nearestFace();
+    for (const label facei : open_.nearFaces())
+    {
+        const label here = haloIndex[owner[facei]];
+        const label there = here + grid.stepAcross(facei);
+        if
+        (
+            distance[here] > 0
+         || distance[there] > 0
+         || nearest[here] < 0
+         || nearest[there] < 0
+         || surfaces.faceObject()[nearest[here]]
+         == surfaces.faceObject()[nearest[there]]
+        )
+        {
+            continue;
+        }
+        // A coupled patch has the face on both sides, and the link on one
+        const label patchi =
+            facei < grid.mesh().nInternalFaces()
+          ? -1
+          : patches.whichPatch(facei);
+        if
+        (
+            patchi < 0
+         || (patches[patchi].coupled() && grid.faceAlong(facei))
+        )
+        {
+            addLink(levelSet, surfaces, facei, here, there);
+        }
+    }
+}
+
+
+// ************************************************************************* //
