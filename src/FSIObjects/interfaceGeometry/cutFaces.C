@@ -221,6 +221,7 @@ void Foam::fsi::cutFaces::placeWallLinks
     const labelList& nearestFace = levelSet.nearestFace();
     const labelList& haloIndex = grid_.haloIndex();
     const bool films = open_.films().used(levelSet);
+    const surfaceSamples centres(surfaceSamples::centres(levelSet, grid_));
     forAll(wallLinks_, i)
     {
         const label later = fetchedAhead(wallLinks_, i).cell;
@@ -241,7 +242,7 @@ void Foam::fsi::cutFaces::placeWallLinks
             label itsFace;
             if
             (
-                surfaceSample::centre(levelSet, here).from
+                surfaceSample{&centres, here}.from
                 (
                     surfaces,
                     surfaces.faceObject()[faces[1]],

@@ -24,7 +24,7 @@ static const scalar widest = 1.5;
 
 void Foam::fsi::filmFaces::setSamples
 (
-    const levelSetUpdate& levelSet,
+    const FixedList<const surfaceSamples*, 2>& all,
     const label facei,
     const label here,
     pair& p
@@ -34,12 +34,11 @@ void Foam::fsi::filmFaces::setSamples
     const FixedList<label, 4>& corners = grid_.faceCorners(facei);
     for (label i = 0; i < nCorners; ++i)
     {
-        p.samples[i] = surfaceSample::corner(levelSet, corners[i]);
+        p.samples[i] = {all[0], corners[i]};
     }
     for (const label at : {here, here + grid_.stepAcross(facei)})
     {
-        p.samples[nCorners + (at != here)] =
-            surfaceSample::centre(levelSet, at);
+        p.samples[nCorners + (at != here)] = {all[1], at};
     }
     p.nSamples = nCorners + 2;
 }
@@ -66,12 +65,31 @@ Foam::scalar Foam::fsi::filmFaces::choose
         {
             continue;
         }
-        const scalar gap = s.distance() + s.secondDistance();
-        if (gap < least)
+        const label object = surfaces.faceObject()[second];
+        scalar away;
+        label face;
+        if
+        (
+            s.distance() + s.secondDistance() < least
+         && s.from(surfaces, object, away, face)
+        )
         {
-            least = gap;
+            least = s.distance() + away;
             p.objects[0] = surfaces.faceObject()[nearest];
-            p.objects[1] = surfaces.faceObject()[second];
+            p.objects[1] = object;
+        }
+    }
+    for (label i = 0; i < p.nSamples; ++i)
+    {
+        const surfaceSample& s = p.samples[i];
+        if
+        (
+            s.distance() <= 0
+         && !p.objects.found(surfaces.faceObject()[s.nearestFace()])
+        )
+        {
+            // A third object covers a part of the face
+            return GREAT;
         }
     }
     return least;
@@ -208,7 +226,8 @@ void Foam::fsi::filmFaces::update
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const labelList& owner = mesh.faceOwner();
     const labelList& haloIndex = grid_.haloIndex();
-    const cartesianBlock corners(grid_.corners());
+    const surfaceSamples atCorners(surfaceSamples::corners(levelSet, grid_));
+    const surfaceSamples atCentres(surfaceSamples::centres(levelSet, grid_));
     const scalar limit = 1.01*widest*grid_.spacing();
     const labelList& second = levelSet.centreSamples().secondFace();
     pair p;
@@ -226,7 +245,7 @@ void Foam::fsi::filmFaces::update
         {
             continue;
         }
-        setSamples(levelSet, facei, here, p);
+        setSamples({&atCorners, &atCentres}, facei, here, p);
         if (choose(surfaces, p) >= limit)
         {
             continue;
@@ -237,7 +256,7 @@ void Foam::fsi::filmFaces::update
         measure(surfaces, p, film);
         if (film.gap < limit && film.closed[0] + film.closed[1] < 1)
         {
-            place(surfaces, corners, p, film);
+            place(surfaces, atCorners.block, p, film);
             faces_.append(film);
         }
     }

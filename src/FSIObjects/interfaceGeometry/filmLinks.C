@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "filmLinks.H"
-#include "surfaceSample.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::filmLinks::addLink
 (
-    const levelSetUpdate& levelSet,
+    const surfaceSamples& all,
     const surfaceSet& surfaces,
     const label facei,
     const label here,
@@ -15,10 +14,9 @@ void Foam::fsi::filmLinks::addLink
 )
 {
     const cartesianMesh& grid = open_.grid();
-    FixedList<surfaceSample, 2> samples
+    const FixedList<surfaceSample, 2> samples
     ({
-        surfaceSample::centre(levelSet, here),
-        surfaceSample::centre(levelSet, there)
+        surfaceSample{&all, here}, surfaceSample{&all, there}
     });
 
     // Where the line from each centre to the other leaves its object
@@ -45,8 +43,10 @@ void Foam::fsi::filmLinks::addLink
         leaves[side] = inside/max(inside + outside, VSMALL);
     }
 
-    const cartesianBlock cells(grid.cells(1));
-    FixedList<point, 2> centres({cells.position(here), cells.position(there)});
+    const FixedList<point, 2> centres
+    ({
+        all.block.position(here), all.block.position(there)
+    });
     filmLink link;
     for (label side = 0; side < 2; ++side)
     {
@@ -94,6 +94,7 @@ void Foam::fsi::filmLinks::update
     const labelList& haloIndex = grid.haloIndex();
     const scalarField& distance = levelSet.cellDistance();
     const labelList& nearest = levelSet.nearestFace();
+    const surfaceSamples centres(surfaceSamples::centres(levelSet, grid));
     for (const label facei : open_.nearFaces())
     {
         const label here = haloIndex[owner[facei]];
@@ -121,7 +122,7 @@ void Foam::fsi::filmLinks::update
          || (patches[patchi].coupled() && grid.faceAlong(facei))
         )
         {
-            addLink(levelSet, surfaces, facei, here, there);
+            addLink(centres, surfaces, facei, here, there);
         }
     }
 }

@@ -4,6 +4,29 @@
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::fsi::surfaceSamples Foam::fsi::surfaceSamples::centres
+(
+    const levelSetUpdate& levelSet,
+    const cartesianMesh& grid
+)
+{
+    return {levelSet.centreSamples(), levelSet.cellDistance(), grid.cells(1)};
+}
+
+
+Foam::fsi::surfaceSamples Foam::fsi::surfaceSamples::corners
+(
+    const levelSetUpdate& levelSet,
+    const cartesianMesh& grid
+)
+{
+    return
+    {
+        levelSet.cornerSamples(), levelSet.cornerDistance(), grid.corners()
+    };
+}
+
+
 bool Foam::fsi::surfaceSample::from
 (
     const surfaceSet& surfaces,
@@ -20,16 +43,22 @@ bool Foam::fsi::surfaceSample::from
         face = nearest;
         return true;
     }
-    distance = of->bandWidth();
+    distance = all->of.bandWidth();
     face = -1;
-    if (second >= 0 && surfaces.faceObject()[second] == object)
+    if (second < 0 || surfaces.faceObject()[second] != object)
     {
-        // It is outside of this one, inside at most of the nearest
-        distance = secondDistance();
-        face = second;
-        return true;
+        return false;
     }
-    return false;
+    const point p(all->block.position(at));
+    FixedList<scalar, 3> weights;
+    const point there(surfaces.nearestOnFace(second, p, weights));
+    if (((p - there) & surfaces.areaNormal(second)) < 0)
+    {
+        return false;
+    }
+    distance = secondDistance();
+    face = second;
+    return true;
 }
 
 

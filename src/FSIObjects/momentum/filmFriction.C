@@ -11,7 +11,7 @@ void Foam::fsi::filmFriction::set
     const vectorField& v
 )
 {
-    links_.shallowCopy(links);
+    links_ = &links;
     parts_.setSize(links.size());
     middle_.setSize(links.size());
     middle_ = Zero;
@@ -30,10 +30,10 @@ Foam::scalar Foam::fsi::filmFriction::relax
 )
 {
     scalar squares = 0;
-    forAll(links_, i)
+    forAll(*links_, i)
     {
         vector change(-middle_[i]);
-        for (const surfacePlace& place : links_[i].places)
+        for (const surfacePlace& place : (*links_)[i].places)
         {
             change += 0.5*place.interpolate(v);
         }
@@ -50,9 +50,9 @@ void Foam::fsi::filmFriction::addForce
     partialForces& force
 ) const
 {
-    forAll(links_, i)
+    forAll(*links_, i)
     {
-        for (const surfacePlace& place : links_[i].places)
+        for (const surfacePlace& place : (*links_)[i].places)
         {
             place.spread
             (
@@ -70,9 +70,9 @@ void Foam::fsi::filmFriction::addForce
     partialForces& force
 ) const
 {
-    forAll(links_, i)
+    forAll(*links_, i)
     {
-        const FixedList<surfacePlace, 2>& places = links_[i].places;
+        const FixedList<surfacePlace, 2>& places = (*links_)[i].places;
         const vector half
         (
             0.5*density*parts_[i]

@@ -91,6 +91,10 @@ Foam::fsi::fluidStep::fluidStep
 {
     immersedMomentum::interpolation(phi_);
     stockInput::checkFluid(U_.mesh());
+    if (geometry_.films().used(objects.levelSet()))
+    {
+        objects.contact().leaveFilmsToFlow();
+    }
     updateGeometry();
     fieldChecks::check(p_, U_, objects.bodies(), objects.sides(), geometry_);
     setSolidVelocity();

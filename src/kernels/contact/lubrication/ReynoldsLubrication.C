@@ -122,6 +122,10 @@ Foam::scalar Foam::fsi::ReynoldsLubrication::resistance
     const contactPair& pair
 ) const
 {
+    if (inFlow(objecti, pair))
+    {
+        return 0;
+    }
     const bool wall = pair.face < 0;
     const scalar bodies =
         curvatures_[objecti] + (wall ? 0 : curvatures_[pair.other]);
