@@ -23,13 +23,6 @@ static scalarField facesOfNodes
     {
         link.place.spread(faces, 1.0);
     }
-    for (const filmLink& link : geometry.betweenSurfaces())
-    {
-        for (const surfacePlace& place : link.places)
-        {
-            place.spread(faces, 1.0);
-        }
-    }
     ranks.collect({objectRanks::values::ofNodes(faces)});
     return faces;
 }
