@@ -106,9 +106,19 @@ Foam::scalar& Foam::fsi::immersedFlux::atFace
 }
 
 
+Foam::scalar Foam::fsi::immersedFlux::atFace
+(
+    const surfaceScalarField& field,
+    const label facei
+)
+{
+    return atFace(const_cast<surfaceScalarField&>(field), facei);
+}
+
+
 Foam::scalarList Foam::fsi::immersedFlux::filmVelocities
 (
-    surfaceScalarField& velocity
+    const surfaceScalarField& velocity
 ) const
 {
     const UList<filmFace>& films = geometry_.films().faces();
@@ -124,7 +134,7 @@ Foam::scalarList Foam::fsi::immersedFlux::filmVelocities
 void Foam::fsi::immersedFlux::setFilmFluxes
 (
     const scalarList& velocity,
-    const surfaceScalarField& thistory,
+    const surfaceScalarField& history,
     const scalar viscosity,
     surfaceScalarField& flux
 ) const
@@ -132,7 +142,6 @@ void Foam::fsi::immersedFlux::setFilmFluxes
     const UList<filmFace>& films = geometry_.films().faces();
     const scalar area = geometry_.grid().faceArea();
     const scalar tau = rule_.length().tau;
-    surfaceScalarField& history = const_cast<surfaceScalarField&>(thistory);
     forAll(films, i)
     {
         const label facei = films[i].face;

@@ -138,15 +138,12 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
               : 0;
         }
     }
-    // What films keep is decided in the next step
-    surfaceScalarField& between = const_cast<surfaceScalarField&>(interpolated);
+    // Films fade in the next step
     for (const filmFace& film : geometry_.films().faces())
     {
-        const scalar openness = geometry_.openness()[film.face];
         atFace(faceHistory_, film.face) =
-            atFace(const_cast<surfaceScalarField&>(phi), film.face)
-           /(openness*area)
-          - atFace(between, film.face);
+            atFace(phi, film.face)/(geometry_.openness()[film.face]*area)
+          - atFace(interpolated, film.face);
     }
 }
 

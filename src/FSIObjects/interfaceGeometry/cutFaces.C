@@ -237,23 +237,10 @@ void Foam::fsi::cutFaces::placeWallLinks
         scalar away = distance[here];
         if (films && faces[0] != faces[1])
         {
-            // In a film the surface on this side may be another object's
-            scalar fromIt;
-            label itsFace;
-            if
+            surfaceSample{&centres, here}.towards
             (
-                surfaceSample{&centres, here}.from
-                (
-                    surfaces,
-                    surfaces.faceObject()[faces[1]],
-                    fromIt,
-                    itsFace
-                )
-            )
-            {
-                away = fromIt;
-                faces[0] = itsFace;
-            }
+                surfaces, surfaces.faceObject()[faces[1]], away, faces[0]
+            );
         }
         link.wallDistance =
             wall_.wallDistance(away, min(distance[there], 0.0));

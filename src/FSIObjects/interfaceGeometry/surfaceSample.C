@@ -62,4 +62,22 @@ bool Foam::fsi::surfaceSample::from
 }
 
 
+void Foam::fsi::surfaceSample::towards
+(
+    const surfaceSet& surfaces,
+    const label object,
+    scalar& distance,
+    label& face
+) const
+{
+    scalar found;
+    label itsFace;
+    if (from(surfaces, object, found, itsFace))
+    {
+        distance = found;
+        face = itsFace;
+    }
+}
+
+
 // ************************************************************************* //

@@ -130,11 +130,7 @@ Foam::scalar Foam::fsi::redBlackMatrix::sweep
 )
 {
     const scalar ofRed = relax(true, relaxation);
-    lastResidual_ =
-        norm
-        (
-            ofRed + relax(false, relaxation) + sqr(correctionScale_)*others
-        );
+    lastResidual_ = norm(ofRed + relax(false, relaxation) + others);
     if (nSweeps_++ == 0)
     {
         firstResidual_ = lastResidual_;
@@ -171,12 +167,6 @@ bool Foam::fsi::redBlackMatrix::exhausted() const
     return
         nSweeps_ >= maxSweeps
      || (nSweeps_ > 0 && lastResidual_ < dropAtOnce()*firstResidual_);
-}
-
-
-Foam::scalar Foam::fsi::redBlackMatrix::sourceNorm() const
-{
-    return norm(sumSqr(source_));
 }
 
 

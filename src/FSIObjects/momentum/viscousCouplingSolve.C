@@ -73,8 +73,10 @@ void Foam::fsi::viscousCoupling::sweep
             startCorrection(norm);
         }
         const scalar factor = relaxation_.factor();
-        result.finalResidual() =
-            matrix_.sweep(factor, films_.relax(nodalVelocity_, factor));
+        const scalar inFilms =
+            sqr(matrix_.correctionScale())
+           *films_.relax(nodalVelocity_, factor);
+        result.finalResidual() = matrix_.sweep(factor, inFilms);
         if (result.nIterations() == 0)
         {
             result.initialResidual() = result.finalResidual();
@@ -112,10 +114,7 @@ void Foam::fsi::viscousCoupling::solve
         bodies_.layout().boundaryOf(predicted)
     );
     setWalls(boundary);
-    films_.set
-    (
-        geometry_.betweenSurfaces(), fluid_.viscosity, nodalVelocity_
-    );
+    films_.set(geometry_.betweenSurfaces(), fluid_.viscosity, nodalVelocity_);
     if (momentumMultigrid::pays(bodies_, matrix_))
     {
         multigrid_.solve(UEqn, matrix_, result);
@@ -126,20 +125,7 @@ void Foam::fsi::viscousCoupling::solve
         sweep(result, boundary);
     }
     log_.solved(result);
-    // All components are swept together
-    keepResiduals
-    (
-        U.mesh(),
-        SolverPerformance<vector>
-        (
-            result.solverName(),
-            result.fieldName(),
-            vector::uniform(result.initialResidual()),
-            vector::uniform(result.finalResidual()),
-            labelVector::uniform(result.nIterations()),
-            result.converged()
-        )
-    );
+    keepResiduals(U.mesh(), ofVector(result));
     overRelaxation::checkEnd(result);
 
     matrix_.get(U.primitiveFieldRef());

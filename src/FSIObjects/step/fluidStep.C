@@ -91,10 +91,7 @@ Foam::fsi::fluidStep::fluidStep
 {
     immersedMomentum::interpolation(phi_);
     stockInput::checkFluid(U_.mesh());
-    if (geometry_.films().used(objects.levelSet()))
-    {
-        objects.contact().leaveFilmsToFlow();
-    }
+    objects.contact().leaveFilmsToFlow(geometry_.seesFilms(objects.levelSet()));
     updateGeometry();
     fieldChecks::check(p_, U_, objects.bodies(), objects.sides(), geometry_);
     setSolidVelocity();
@@ -250,10 +247,7 @@ void Foam::fsi::fluidStep::finishFluid
 )
 {
     const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
-    flux_.storeFaceVelocity
-    (
-        phi_, U_, wallVelocity, objects_.fluid().viscosity
-    );
+    flux_.storeFaceVelocity(phi_, U_, wallVelocity, objects_.fluid().viscosity);
     error_.measure
     (
         U_, geometry_.fluidCell(), ofSplitting, objects_.restSpeed()

@@ -58,10 +58,10 @@ void Foam::fsi::surfaceDistance::addObjects
         {
             continue;
         }
-        firstFace_ = surfaces.faceStart()[objecti];
-        endFace_ = surfaces.faceStart()[objecti + 1];
+        near_.firstFace = surfaces.faceStart()[objecti];
+        near_.endFace = surfaces.faceStart()[objecti + 1];
         const boundBox box(reach(surfaces, objecti));
-        if (fetchSamples(block, box.min(), box.max(), distance_))
+        if (fetchSamples(block, box.min(), box.max(), near_.distance))
         {
             if (surfaces.nDims() == 2)
             {
@@ -85,8 +85,8 @@ void Foam::fsi::surfaceDistance::setFixed(const sampleRanges& samples)
         (
             r.first(),
             r.second(),
-            {&distance_, &secondDistance_},
-            {&nearestFace_, &object_, &secondFace_}
+            {&near_.distance, &near_.secondDistance},
+            {&near_.face, &object_, &near_.secondFace}
         );
     }
 }
@@ -104,17 +104,17 @@ void Foam::fsi::surfaceDistance::finish
         {
             const bool inside = object_[samplei] >= 0;
             scalar distance = bandWidth_;
-            if (nearestFace_[samplei] >= 0)
+            if (near_.face[samplei] >= 0)
             {
-                distance = sqrt(distance_[samplei]);
-                object_[samplei] = surfaces.faceObject()[nearestFace_[samplei]];
+                distance = sqrt(near_.distance[samplei]);
+                object_[samplei] = surfaces.faceObject()[near_.face[samplei]];
             }
-            secondDistance_[samplei] = sqrt(secondDistance_[samplei]);
+            near_.secondDistance[samplei] = sqrt(near_.secondDistance[samplei]);
             if (object_[samplei] >= 0)
             {
                 object_[samplei] = surfaces.original(object_[samplei]);
             }
-            distance_[samplei] = inside ? -distance : distance;
+            near_.distance[samplei] = inside ? -distance : distance;
         }
     }
 }
@@ -126,15 +126,8 @@ void Foam::fsi::surfaceDistance::restart
     const cartesianBlock& block
 )
 {
-    distance_.setSize(block.size());
-    nearestFace_.setSize(block.size());
+    near_.reset(block.size(), sqr(bandWidth_));
     object_.setSize(block.size());
-    secondDistance_.setSize(block.size());
-    secondFace_.setSize(block.size());
-    distance_ = sqr(bandWidth_);
-    secondDistance_ = sqr(bandWidth_);
-    secondFace_ = -1;
-    nearestFace_ = -1;
     object_ = -1;
 
     addObjects(surfaces, block, true);
@@ -143,8 +136,8 @@ void Foam::fsi::surfaceDistance::restart
         surfaces,
         block,
         sqr(bandWidth_),
-        {&distance_, &secondDistance_},
-        {&nearestFace_, &object_, &secondFace_}
+        {&near_.distance, &near_.secondDistance},
+        {&near_.face, &object_, &near_.secondFace}
     );
     touched_ = sampleRanges(block);
     finish(surfaces, touched_);
@@ -178,7 +171,7 @@ void Foam::fsi::surfaceDistance::update
     check(surfaces, block);
     if
     (
-        distance_.size() != block.size()
+        near_.distance.size() != block.size()
      || !fixed_.hold(surfaces, block)
     )
     {
@@ -218,21 +211,21 @@ void Foam::fsi::surfaceDistance::extendVelocity
 {
     velocity.setSize(block.size());
     FixedList<scalar, 3> weights;
-    forAll(nearestFace_, samplei)
+    forAll(near_.face, samplei)
     {
         velocity[samplei] = Zero;
-        if (nearestFace_[samplei] >= 0)
+        if (near_.face[samplei] >= 0)
         {
             surfaces.nearestOnFace
             (
-                nearestFace_[samplei],
+                near_.face[samplei],
                 block.position(samplei),
                 weights
             );
             velocity[samplei] = surfaces.interpolate
             (
                 surfaces.velocities(),
-                nearestFace_[samplei],
+                near_.face[samplei],
                 weights
             );
         }

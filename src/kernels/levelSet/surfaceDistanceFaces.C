@@ -3,51 +3,7 @@
 #include "surfaceDistance.H"
 #include "segmentReach.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- A square of a distance is less than another if it is less by more than
-//  round-off: beside a corner the first of its two faces counts, wherever the
-//  object is
-static const scalar clearlyLess = 1 - 1e-10;
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-inline void Foam::fsi::surfaceDistance::take
-(
-    const label samplei,
-    const label facei,
-    const scalar distanceSqr
-)
-{
-    scalar& nearest = distance_[samplei];
-    label& nearestFace = nearestFace_[samplei];
-    const bool same = nearestFace >= firstFace_ && nearestFace < endFace_;
-    if (distanceSqr < clearlyLess*nearest)
-    {
-        if (nearestFace >= 0 && !same)
-        {
-            secondDistance_[samplei] = nearest;
-            secondFace_[samplei] = nearestFace;
-        }
-        nearest = distanceSqr;
-        nearestFace = facei;
-    }
-    else if (!same && distanceSqr < clearlyLess*secondDistance_[samplei])
-    {
-        secondDistance_[samplei] = distanceSqr;
-        secondFace_[samplei] = facei;
-    }
-}
-
 
 void Foam::fsi::surfaceDistance::addSegment
 (
@@ -70,7 +26,7 @@ void Foam::fsi::surfaceDistance::addSegment
         for (label i = begin; i < behind; ++i)
         {
             p.x() = block.latticePosition(block.start().x() + i, 0);
-            take(row + i, facei, face.distanceSqr(p));
+            near_.take(row + i, facei, face.distanceSqr(p));
         }
     }
 }
@@ -163,7 +119,7 @@ void Foam::fsi::surfaceDistance::addTriangles
         );
         for (label k = 0; k < samples_.size(); ++k)
         {
-            take(samples_.index(k), i, samples_.distanceSqr(k));
+            near_.take(samples_.index(k), i, samples_.distanceSqr(k));
         }
     }
 }

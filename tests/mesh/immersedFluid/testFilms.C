@@ -125,7 +125,8 @@ TEST(films, openFacesByWhatIsBetweenBothSurfaces)
             {
                 if (film.dir == 1 && mag(centres[film.face].y() - 10) < 0.1)
                 {
-                    const scalar depth = radius - Foam::sqrt(sqr(radius) - 0.25);
+                    const scalar depth =
+                        radius - Foam::sqrt(sqr(radius) - 0.25);
                     EXPECT_NEAR(film.gap, gap + 2*depth, 0.03);
                     open += geometry.openness()[film.face];
                     scalar covered = 0;
