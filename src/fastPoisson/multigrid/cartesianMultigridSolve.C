@@ -44,6 +44,9 @@ void Foam::fsi::cartesianMultigrid::iterate
     scalar rz = 0;
     scalar least = result.initialResidual();
     label nInVain = 0;
+    // Solution of the least residual while others are in vain: where only
+    // rounding errors are left, each may double the level of a closed part
+    scalarField best;
     do
     {
         scalar pAp = 0;
@@ -63,6 +66,10 @@ void Foam::fsi::cartesianMultigrid::iterate
                 )
             )/factor;
         nInVain = result.finalResidual() < least ? 0 : nInVain + 1;
+        if (nInVain == 1)
+        {
+            best = x_ - alpha*p_;
+        }
         least = min(least, result.finalResidual());
     } while
     (
@@ -73,6 +80,11 @@ void Foam::fsi::cartesianMultigrid::iterate
         )
      || result.nIterations() < controls.minIter
     );
+    if (nInVain >= mostInVain)
+    {
+        x_ = best;
+        result.finalResidual() = least;
+    }
 }
 
 
