@@ -16,6 +16,9 @@ namespace fsi
 //- Largest thickness of a film, in cells: the mesh resolves wider ones
 static const scalar widest = 1.5;
 
+//- Least cosine between the normals of two surfaces that do not face each other
+static const scalar sideways = -0.1;
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -63,6 +66,13 @@ Foam::scalar Foam::fsi::filmFaces::choose
         }
         if (second < 0)
         {
+            continue;
+        }
+        const vector normal(surfaces.areaNormal(nearest));
+        const vector other(surfaces.areaNormal(second));
+        if ((normal & other) > sideways*mag(normal)*mag(other))
+        {
+            // One surface goes on in the other, as in a periodic image
             continue;
         }
         const label object = surfaces.faceObject()[second];

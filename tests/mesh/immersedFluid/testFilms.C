@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "discSurfaces.H"
 #include "discsInBox.H"
 #include "mathematicalConstants.H"
 #include "sphereSurfaces.H"
@@ -164,6 +165,19 @@ TEST(films, areNotBetweenObjectsThatOverlap)
             const point& c = discs.mesh().faceCentres()[film.face];
             EXPECT_GT(mag(c.y() - 10.5), 2);
         }
+    }
+}
+
+
+TEST(films, areNotWhereASurfaceGoesOnInAnImage)
+{
+    for (const direction split : {0, 1})
+    {
+        surfacesInBox objects(labelVector(32, 20, 1), 2, split);
+        surfaceSet discs(discSurfaces(pairOfDiscs(15.4, 5), radius, 96));
+        discs.appendImages(labelList({0}), List<vector>({vector(0.2, 0, 0)}));
+        objects.move(discs);
+        EXPECT_EQ(objects.geometry().films().faces().size(), 0);
     }
 }
 
