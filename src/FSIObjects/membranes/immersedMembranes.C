@@ -93,19 +93,6 @@ Foam::fsi::immersedMembranes::immersedMembranes
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::fsi::immersedMembranes::alone(const population& bodies)
-{
-    for (const bodyGroup& group : bodies.groups())
-    {
-        if (group.hasWalls())
-        {
-            return false;
-        }
-    }
-    return bodies.groups().size() > 0;
-}
-
-
 void Foam::fsi::immersedMembranes::spread
 (
     const volVectorField& U,

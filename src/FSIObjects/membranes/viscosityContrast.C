@@ -2,10 +2,8 @@
 
 #include "viscosityContrast.H"
 #include "fvcGrad.H"
-#include "fvcSurfaceIntegrate.H"
 #include "insideFraction.H"
 #include "openLaplacian.H"
-#include "surfaceInterpolate.H"
 #include "zeroGradientFvPatchFields.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -89,6 +87,65 @@ void Foam::fsi::viscosityContrast::setFaces()
               ? 0.5*(inside + pm.patchNeighbourField())
               : tmp<scalarField>(inside)
             );
+    }
+}
+
+
+void Foam::fsi::viscosityContrast::addTransposed(fvVectorMatrix& UEqn) const
+{
+    const cartesianMesh& grid = geometry_.grid();
+    const fvMesh& mesh = more_.mesh();
+    const volVectorField& U = UEqn.psi();
+    const surfaceScalarField& fluidFace = geometry_.fluidFace();
+    const boolList& inFluid = geometry_.fluidCell();
+    const labelUList& own = mesh.owner();
+    const labelUList& nei = mesh.neighbour();
+    vectorField& source = UEqn.source();
+    const vectorField& area = mesh.faceAreas();
+    for (direction d = 0; d < grid.nDims(); ++d)
+    {
+        const tmp<volVectorField> tgradient
+        (
+            fvc::grad(U.component(d), "grad(" + U.name() + ')')
+        );
+        const volVectorField& gradient = tgradient();
+        forAll(moreAtFaces_, facei)
+        {
+            const scalar more = moreAtFaces_[facei] - least_*fluidFace[facei];
+            if (more != 0 && grid.faceDirection(facei) == d)
+            {
+                const label a = own[facei], b = nei[facei];
+                const vector force
+                (
+                    0.5*area[facei][d]*more*(gradient[a] + gradient[b])
+                );
+                source[a] += inFluid[a] ? force : vector(Zero);
+                source[b] -= inFluid[b] ? force : vector(Zero);
+            }
+        }
+        forAll(moreAtFaces_.boundaryField(), patchi)
+        {
+            const fvsPatchScalarField& pm =
+                moreAtFaces_.boundaryField()[patchi];
+            const fvPatchVectorField& pg = gradient.boundaryField()[patchi];
+            const vectorField outside
+            (
+                pg.coupled()
+              ? 0.5*(pg.patchInternalField() + pg.patchNeighbourField())
+              : tmp<vectorField>(pg)
+            );
+            const scalarField& open = fluidFace.boundaryField()[patchi];
+            const label start = pm.patch().start();
+            forAll(pm, i)
+            {
+                const label celli = pm.patch().faceCells()[i];
+                if (grid.faceDirection(start + i) == d && inFluid[celli])
+                {
+                    source[celli] +=
+                        area[start + i][d]*(pm[i] - least_*open[i])*outside[i];
+                }
+            }
+        }
     }
 }
 
@@ -180,25 +237,7 @@ void Foam::fsi::viscosityContrast::add(fvVectorMatrix& UEqn) const
         addPatchDiffusion(patchi, pm*pm.patch().magSf(), UEqn);
     }
 
-    // The explicit part must be smaller than the implicit one
-    const tmp<volTensorField> tgradU(fvc::grad(UEqn.psi()));
-    const dimensionedScalar least("least", moreAtFaces_.dimensions(), least_);
-    const surfaceVectorField stress
-    (
-        (moreAtFaces_ - least*geometry_.fluidFace())
-       *(fvc::interpolate(tgradU()) & mesh.Sf())
-    );
-    vectorField force(mesh.nCells(), Zero);
-    fvc::surfaceIntegrate(force, stress);
-    const boolList& inFluid = geometry_.fluidCell();
-    vectorField& source = UEqn.source();
-    forAll(source, celli)
-    {
-        if (inFluid[celli])
-        {
-            source[celli] += mesh.V()[celli]*force[celli];
-        }
-    }
+    addTransposed(UEqn);
 }
 
 

@@ -12,6 +12,7 @@ Foam::fsi::viscousCoupling::viscousCoupling
     const population& bodies,
     const interfaceGeometry& geometry,
     const fluidProperties& fluid,
+    cartesianMultigrid& multigrid,
     runLog& log
 )
 :
@@ -20,7 +21,7 @@ Foam::fsi::viscousCoupling::viscousCoupling
     fluid_(fluid),
     log_(log),
     matrix_(geometry.grid()),
-    multigrid_(geometry.grid()),
+    multigrid_(geometry.grid(), multigrid),
     links_(matrix_, geometry.grid().nDims())
 {}
 
@@ -30,12 +31,17 @@ Foam::fsi::viscousCoupling::viscousCoupling
 void Foam::fsi::viscousCoupling::updateTransposedStress()
 {
     transposed_.clear();
-    std::vector<transposedMode> strains;
     const surfaceSet& surfaces = bodies_.surfaces();
+    strainForce_.setSize(surfaces.points().size());
+    strainForce_ = Zero;
+    if (bodies_.onlyMembranes())
+    {
+        return;
+    }
+    std::vector<transposedMode> strains;
     const auto modes = transposedModes
     (
-        surfaces,
-        geometry_,
+        surfaces, geometry_,
         fluid_.dynamicViscosity()*geometry_.grid().thickness(),
         bodies_.ranks()
     );
@@ -44,14 +50,9 @@ void Foam::fsi::viscousCoupling::updateTransposedStress()
         (mode.sign > 0 ? transposed_ : strains).push_back(mode);
     }
 
-    strainForce_.setSize(surfaces.points().size());
-    strainForce_ = Zero;
     addTransposedForce
     (
-        strains,
-        surfaces.pointStart(),
-        surfaces.velocities(),
-        strainForce_
+        strains, surfaces.pointStart(), surfaces.velocities(), strainForce_
     );
 }
 

@@ -51,13 +51,6 @@ void Foam::fsi::objectsPressure::updateMultigrid
     const stepLength& step
 )
 {
-    if (!multigrid_.valid())
-    {
-        multigrid_.reset
-        (
-            new cartesianMultigrid(p.mesh(), checkedControls(p))
-        );
-    }
     const auto interfaces = p.boundaryField().scalarInterfaces();
 
     // Cells inside the objects conduct in the cycle, not in the equation,
@@ -65,10 +58,10 @@ void Foam::fsi::objectsPressure::updateMultigrid
     const objectsConductance::faceValues g(conductance_.conductance(step));
     scalarField diagonal(pEqn.diag());
     objectsConductance::add(g, 1, pEqn);
-    multigrid_->update(pEqn, boundaryCoeffsOf(pEqn), interfaces);
+    multigrid_.update(pEqn, boundaryCoeffsOf(pEqn), interfaces);
     objectsConductance::add(g, -1, pEqn);
     pEqn.diag().swap(diagonal);
-    multigrid_->updateProduct
+    multigrid_.updateProduct
     (
         pEqn, boundaryCoeffsOf(pEqn), interfaces, g.faces
     );
@@ -81,12 +74,14 @@ Foam::fsi::objectsPressure::objectsPressure
 (
     fsiObjects& objects,
     const interfaceGeometry& geometry,
-    const wallOperator& walls
+    const wallOperator& walls,
+    const volScalarField& p
 )
 :
     geometry_(geometry),
     log_(objects.log()),
     conductance_(objects, geometry, walls),
+    multigrid_(p.mesh(), checkedControls(p)),
     rate_
     (
         IOobject
@@ -135,7 +130,7 @@ void Foam::fsi::objectsPressure::solve
     volScalarField& p,
     fvScalarMatrix& pEqn,
     scalarField& b,
-    const addedTerm& term,
+    const addedTerm* term,
     const scalarField& inside,
     const stepLength& step
 )
@@ -149,9 +144,9 @@ void Foam::fsi::objectsPressure::solve
     loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
     loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
     loop.maxIter = readAtLeast(controls, "maxIter", 1000, 1);
-    const auto performance = multigrid_->solve
+    const auto performance = multigrid_.solve
     (
-        p.primitiveFieldRef(), b, p.name(), loop, &term
+        p.primitiveFieldRef(), b, p.name(), loop, term
     );
     log_.solved(performance);
     keepResiduals(p.mesh(), performance);

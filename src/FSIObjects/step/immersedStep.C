@@ -30,19 +30,18 @@ Foam::fsi::immersedStep::immersedStep
 )
 :
     fluidStep(objects, flow),
+    pressure_(objects, geometry_, walls_, flow.p),
     viscous_
     (
-        objects.bodies(), geometry_, objects.fluid(), objects.log()
+        objects.bodies(), geometry_, objects.fluid(), pressure_.multigrid(),
+        objects.log()
     ),
     term_(objects.bodies(), walls_, objects.fluid().density),
-    pressure_(objects, geometry_, walls_),
     sudden_(objects, geometry_, walls_),
-    passes_(dict, immersedMembranes::alone(objects.bodies()) ? 1 : 4),
+    passes_(dict, objects.bodies().onlyMembranes() ? 1 : 4),
     balance_
     (
-        objects.bodies(),
-        geometry_,
-        objects.levelSet(),
+        objects.bodies(), geometry_, objects.levelSet(),
         objects.fluid().density
     ),
     membranes_(objects, geometry_)
@@ -79,7 +78,6 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
         (
             objects_.timer(), stepTimer::part::fluid
         );
-
         // Velocities of cells and nodes with the last pressure
         solveMomentum(convectiveFlux(), change, sources);
         objects_.constrain(velocity_, step());

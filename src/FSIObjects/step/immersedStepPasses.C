@@ -64,7 +64,7 @@ void Foam::fsi::immersedStep::solvePressure()
         p_,
         pEqn.ref(),
         source,
-        term_,
+        objects_.bodies().onlyMembranes() ? nullptr : &term_,
         oldPressure_().primitiveField(),
         step()
     );
@@ -106,9 +106,19 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
         const scalar nu = objects_.fluid().viscosity;
         guess = alone*source/(1 + step().tau*gradients_.wallFriction(nu));
     }
+    FixedList<scalar, 2> squares(scalar(0));
+    if (passes_.single() && objects_.bodies().onlyMembranes())
+    {
+        U_.primitiveFieldRef() += alone*source;
+        U_.correctBoundaryConditions();
+    }
+    else
+    {
+        squares = viscous_.addResponse(source, guess, alone, U_);
+    }
     passes_.measure
     (
-        viscous_.addResponse(source, guess, alone, U_),
+        squares,
         U_.mesh().globalData().nTotalCells()*sqr(objects_.restSpeed()),
         objects_.bodies().ranks().largest(largestSpeed(velocity_.groups())),
         largestSpeed(U_, inFluid)

@@ -30,6 +30,15 @@ FSI_INLINE void restrictRows
 }
 
 
+FSI_INLINE void setZero(const stencil<float>& A, float* values)
+{
+    for (int r = 0; r < A.ny*A.nz; ++r)
+    {
+        std::memset(values + A.row(r), 0, A.nx*sizeof(float));
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 FSI_VECTOR_CLONES
@@ -44,10 +53,7 @@ void restrictResidual
     float* work
 )
 {
-    for (int r = 0; r < coarse.ny*coarse.nz; ++r)
-    {
-        std::memset(coarseB + coarse.row(r), 0, coarse.nx*sizeof(float));
-    }
+    setZero(coarse, coarseB);
     if (A.threeD)
     {
         restrictRows<true>(A, b, x, coarse, shift, coarseB, work);
@@ -55,6 +61,30 @@ void restrictResidual
     else
     {
         restrictRows<false>(A, b, x, coarse, shift, coarseB, work);
+    }
+}
+
+
+FSI_VECTOR_CLONES
+void restrictSource
+(
+    const stencil<float>& A,
+    const float* b,
+    const stencil<float>& coarse,
+    const levelShift shift,
+    float* coarseB,
+    float* work
+)
+{
+    setZero(coarse, coarseB);
+    work[A.nx] = 0;
+    for (int r = 0; r < A.ny*A.nz; ++r)
+    {
+        std::memcpy(work, b + A.row(r), A.nx*sizeof(float));
+        addRow
+        (
+            coarse.nx, shift.x, work, coarseB + coarseRow(A, r, coarse, shift)
+        );
     }
 }
 

@@ -143,7 +143,8 @@ void Foam::fsi::cartesianMultigrid::update
 void Foam::fsi::cartesianMultigrid::precondition
 (
     scalarField& z,
-    const scalarField& r
+    const scalarField& r,
+    const bool smooths
 ) const
 {
     // Single precision needs values of order one
@@ -151,7 +152,14 @@ void Foam::fsi::cartesianMultigrid::precondition
 
     multigridLevel& finest = hierarchy_.finest();
     lattice_.transfer().toBlock(r, 1/size, finest.b().data());
-    hierarchy_.cycle();
+    if (smooths)
+    {
+        hierarchy_.cycle();
+    }
+    else
+    {
+        hierarchy_.cycleCoarse();
+    }
     lattice_.transfer().toCells
     (
         finest.x().cdata(), matrix_.sign()*size/norm_, z

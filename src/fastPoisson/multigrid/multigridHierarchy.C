@@ -232,4 +232,17 @@ void Foam::fsi::multigridHierarchy::cycle()
 }
 
 
+void Foam::fsi::multigridHierarchy::cycleCoarse()
+{
+    if (levels_.size() == 1 || gatherLevel_ == 0)
+    {
+        solve(0);
+        return;
+    }
+    levels_[0].restrictSource(shift_[0], levels_[1]);
+    solve(1);
+    levels_[0].interpolate(shift_[0], levels_[1]);
+}
+
+
 // ************************************************************************* //

@@ -118,6 +118,30 @@ void Foam::fsi::multigridLevel::down
 }
 
 
+void Foam::fsi::multigridLevel::restrictSource
+(
+    const levelShift shift,
+    multigridLevel& coarse
+)
+{
+    fsi::restrictSource
+    (
+        A_, b_.cdata(), coarse.A_, shift, coarse.b_.data(), work_.data()
+    );
+}
+
+
+void Foam::fsi::multigridLevel::interpolate
+(
+    const levelShift shift,
+    const multigridLevel& coarse
+)
+{
+    x_ = 0;
+    addCoarse(A_, coarse.A_, shift, coarse.x_.cdata(), x_.data());
+}
+
+
 void Foam::fsi::multigridLevel::up
 (
     const levelShift shift,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bodyVolume.H"
-#include "vector.H"
+#include "vectorField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -20,6 +20,18 @@ vector between(const bodyVolume::nodes& x, const label from, const label to)
         d[i] = x(to, i) - x(from, i);
     }
     return d;
+}
+
+
+//- All nodes less the first one
+vectorField fromFirst(const bodyVolume::nodes& x)
+{
+    vectorField result(x.rows(), Zero);
+    forAll(result, i)
+    {
+        result[i] = between(x, 0, i);
+    }
+    return result;
 }
 
 
@@ -70,13 +82,14 @@ Foam::fsi::bodyVolume::bodyVolume
     coefficients_(scalar(0))
 {
     const label nDims = p.cols();
+    const vectorField nodes(fromFirst(p)), along(fromFirst(q));
     vector points[3], directions[3];
     for (const surfaceFace& face : faces)
     {
         for (label i = 0; i < nDims; ++i)
         {
-            points[i] = between(p, 0, face[i]);
-            directions[i] = between(q, 0, face[i]);
+            points[i] = nodes[face[i]];
+            directions[i] = along[face[i]];
         }
         if (nDims == 2)
         {

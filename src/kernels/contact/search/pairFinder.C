@@ -28,6 +28,12 @@ void Foam::fsi::pairFinder::find
     const scalarField& reaches
 )
 {
+    if (!surfaces.anyWalls())
+    {
+        // Membranes inside the fluid do not touch
+        found.clear();
+        return;
+    }
     const surfaceSet& all = images_.update(surfaces, range);
     scalarField reachesOfAll(reaches.empty() ? 0 : all.size());
     forAll(reachesOfAll, objecti)
