@@ -89,18 +89,12 @@ void Foam::fsi::givenLoads::readPulls
     label pulli = 0;
     for (const entry& e : dict)
     {
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' in dictionary "
-                << dict.name() << " must be the dictionary of a region"
-                << exit(FatalIOError);
-        }
+        const dictionary& region = regionIn(dict, e);
         pulled_[groupi][pulli] = nodesInRegion
         (
-            e.dict(), shape.mesh().points, shape.nDims(), "force"
+            region, shape.mesh().points, shape.nDims(), "force"
         );
-        forces.set(pulli, readFunction<vector>(e.dict(), "force"));
+        forces.set(pulli, readFunction<vector>(region, "force"));
         ++pulli;
     }
 }

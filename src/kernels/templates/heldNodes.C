@@ -26,27 +26,21 @@ Foam::fsi::heldNodes::heldNodes
     scalarField springs(points.size(), -1);
     for (const entry& e : dict)
     {
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' in dictionary "
-                << dict.name() << " must be the dictionary of a region"
-                << exit(FatalIOError);
-        }
+        const dictionary& region = regionIn(dict, e);
         const labelList nodes
         (
-            nodesInRegion(e.dict(), places, nDims, "stiffness")
+            nodesInRegion(region, places, nDims, "stiffness")
         );
         const scalar spring =
-            e.dict().found("stiffness")
-          ? readPositive(e.dict(), "stiffness")/nodes.size()
+            region.found("stiffness")
+          ? readPositive(region, "stiffness")/nodes.size()
           : 0;
         for (const label nodei : nodes)
         {
             if (springs[nodei] >= 0)
             {
-                FatalIOErrorInFunction(e.dict())
-                    << "The region of dictionary " << e.dict().name()
+                FatalIOErrorInFunction(region)
+                    << "The region of dictionary " << region.name()
                     << " has the node at " << places[nodei]
                     << ", which another region of dictionary " << dict.name()
                     << " holds as well" << exit(FatalIOError);

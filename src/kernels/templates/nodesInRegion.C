@@ -116,6 +116,22 @@ static region readRegion
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+const Foam::dictionary& Foam::fsi::regionIn
+(
+    const dictionary& dict,
+    const entry& e
+)
+{
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << e.keyword() << "' in dictionary " << dict.name()
+            << " must be the dictionary of a region" << exit(FatalIOError);
+    }
+    return e.dict();
+}
+
+
 Foam::labelList Foam::fsi::nodesInRegion
 (
     const dictionary& dict,
