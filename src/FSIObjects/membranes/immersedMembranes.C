@@ -57,13 +57,11 @@ Foam::fsi::immersedMembranes::immersedMembranes
     width_(readKernel(objects.properties().subOrEmptyDict("membranes")))
 {
     bool any = false;
-    bool walls = false;
     for (const bodyGroup& group : bodies_.groups())
     {
         any = any || !group.hasWalls();
-        walls = walls || group.hasWalls();
     }
-    if (any && walls)
+    if (any && !bodies_.onlyMembranes())
     {
         ghosts_.reset(new wallGhosts(geometry, objects.levelSet()));
         defence_.reset

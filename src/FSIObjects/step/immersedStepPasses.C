@@ -98,6 +98,7 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
         source[celli] =
             inFluid[celli] ? V*(last[celli] - gradient[celli]) : vector(Zero);
     }
+    tgradient.clear();
     const scalar alone = step().tau/V;
     vectorField guess;
     if (rule_.secondOrder())
