@@ -8,11 +8,8 @@
 #include "localIOdictionary.H"
 #include "openfoamFiles.H"
 #include "openfoamVersion.H"
+#include "stateText.H"
 #include "Time.H"
-
-#include <cctype>
-#include <cstdlib>
-#include <sstream>
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -43,62 +40,6 @@ static std::string textOf(const fileName& file)
         while (is.stdStream());
     }
     return text;
-}
-
-
-//- Words of the last line until a place of a text that begins with a letter,
-//  where an entry begins
-static std::istringstream entryAt(const std::string& text, std::size_t place)
-{
-    std::size_t start = text.rfind('\n', place);
-    while
-    (
-        start != std::string::npos && start > 0
-     && !std::isalpha(static_cast<unsigned char>(text[start + 1]))
-    )
-    {
-        start = text.rfind('\n', start - 1);
-    }
-    const std::size_t end = text.find('\n', start + 1);
-    return std::istringstream(text.substr(start + 1, end - start - 1));
-}
-
-
-//- The entry of a list that would have more values than its file can hold:
-//  noticed before memory is asked for; empty if there is none
-static word oversized(const std::string& text)
-{
-    static const char* const blanks = " \t\r\n";
-    const bool binary = text.find("binary") < text.find('}');
-    std::size_t at = text.find_first_of("({");
-    for (; at != std::string::npos; at = text.find_first_of("({", at + 1))
-    {
-        // A number in a list of lists is a value, and among the bytes of
-        // numbers only what has the type of a list counts
-        const std::size_t end = text.find_last_not_of(blanks, at - 1);
-        const std::size_t before = text.find_last_of(" \t\r\n(){};>", end);
-        const std::size_t type = text.find_last_not_of(blanks, before);
-        if (at == 0 || before >= end || type > before)
-        {
-            continue;
-        }
-        const bool negative = text[before + 1] == '-';
-        const std::size_t digits = before + 1 + negative;
-        const scalar n = std::strtod(text.c_str() + digits, nullptr);
-        const scalar most = (text[at] == '{' ? 1000.0 : 1.0)*text.size();
-        if
-        (
-            text.find_first_not_of("0123456789", digits) > end
-         && (n > most || negative) && text[type] != '(' && text[type] != ')'
-         && (!binary || text[type] == '>')
-        )
-        {
-            std::string key;
-            entryAt(text, before) >> key;
-            return word(key);
-        }
-    }
-    return word();
 }
 
 

@@ -178,12 +178,27 @@ def compare_fed(report, folder):
                  "Objects are sound" in text, text[-300:])
 
 
+def check_bytes(report, folder):
+    """A velocity of the state whose bytes look like the end of a list's type
+    and a negative number of values before a bracket."""
+    speed = struct.unpack("<d", b"\0\0>-(\x9a\x99?")[0]
+    case = smallCase.small_case(
+        os.path.join(folder, "bytes"), writeFormat="binary", placements=
+        smallCase.PLACEMENTS.replace(
+            "shape disc;", f"shape disc; velocity ({speed!r} 0 0);"))
+    found = any(b">-(" in content for content in smallCase.result(
+        os.path.join(case.path, "0")).values())
+    case.run("fsiPisoFoam", "-dry-run")
+    report.check("bytes of numbers are no lists", found)
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
     compare(report, folder)
     compare_capillaries(report, folder)
     report.attempt("fed box", compare_fed, report, folder)
+    report.attempt("bytes of numbers are no lists", check_bytes, report, folder)
 
 
 if __name__ == "__main__":
