@@ -74,8 +74,7 @@ void Foam::fsi::viscousCoupling::sweep
         }
         const scalar factor = relaxation_.factor();
         const scalar inFilms =
-            sqr(matrix_.correctionScale())
-           *films_.relax(nodalVelocity_, factor);
+            films_.relax(nodalVelocity_, factor, matrix_.correctionScale());
         result.finalResidual() = matrix_.sweep(factor, inFilms);
         if (result.nIterations() == 0)
         {

@@ -26,7 +26,8 @@ void Foam::fsi::filmFriction::set
 Foam::scalar Foam::fsi::filmFriction::relax
 (
     const vectorField& v,
-    const scalar relaxation
+    const scalar relaxation,
+    const scalar scale
 )
 {
     scalar squares = 0;
@@ -37,7 +38,7 @@ Foam::scalar Foam::fsi::filmFriction::relax
         {
             change += 0.5*place.interpolate(v);
         }
-        squares += magSqr(2*parts_[i]*change);
+        squares += magSqr(scale*(2*parts_[i]*change));
         middle_[i] += relaxation*change;
     }
     return squares;
