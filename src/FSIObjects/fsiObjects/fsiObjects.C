@@ -31,7 +31,7 @@ static const dictionary& checked(const Time& time, const dictionary& dict)
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
             "shortWaveStress", "levelSet", "coupling", "membranes", "contact",
-            "boundaries", "drivingForce", "output", "ranks", "libs"
+            "boundaries", "drivingForce", "scalars", "output", "ranks", "libs"
         },
         {"convection", "faceHistory", "transposedStress"}
     );
@@ -40,7 +40,7 @@ static const dictionary& checked(const Time& time, const dictionary& dict)
         dict,
         {
             "levelSet", "coupling", "membranes", "contact", "boundaries",
-            "drivingForce", "output", "ranks"
+            "drivingForce", "scalars", "output", "ranks"
         }
     );
     openLibraries(time, dict);

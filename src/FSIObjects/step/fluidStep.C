@@ -95,6 +95,7 @@ Foam::fsi::fluidStep::fluidStep
     updateGeometry();
     fieldChecks::check(p_, U_, objects.bodies(), objects.sides(), geometry_);
     setSolidVelocity();
+    scalars_.reset(new carriedScalars(objects, geometry_));
     if (objects.driving().type() == "none")
     {
         motionCheck(objects.bodies(), U_.time()).checkWeight
@@ -182,6 +183,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::fluidStep::momentum
             objects_.driving().acceleration()
         )
     );
+    scalars_->addBuoyancy(tUEqn.ref().source());
     sources.apply(tUEqn.ref(), U_);
     momentum_.constrain(tUEqn.ref());
     return tUEqn;

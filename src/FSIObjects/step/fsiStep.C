@@ -103,8 +103,15 @@ void Foam::fsi::fsiStep::describe(Ostream& os) const
 }
 
 
-void Foam::fsi::fsiStep::checkMembranes() const
+void Foam::fsi::fsiStep::checkParts() const
 {
+    if (objects_.properties().found("scalars") && !carriesScalars())
+    {
+        FatalIOErrorInFunction(objects_.properties())
+            << "Entry 'scalars' needs the coupling solidImplicit or weak, but"
+            << " entry 'type' of coupling is " << type()
+            << exit(FatalIOError);
+    }
     for (const bodyGroup& group : objects_.bodies().groups())
     {
         if (!group.hasWalls() && !movesMembranes())
@@ -121,7 +128,7 @@ void Foam::fsi::fsiStep::checkMembranes() const
 
 void Foam::fsi::fsiStep::announce() const
 {
-    checkMembranes();
+    checkParts();
     const population& bodies = objects_.bodies();
     const label nNodes = label(bodies.ranks().sum(bodies.nNodes()));
     Info<< "FSIObjects " << projectVersion << ": "

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scalarSurfaces.H"
+#include "dictionaryCheck.H"
+#include "errorOf.H"
+#include "fsiObjects.H"
+#include "interfaceGeometry.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::fsi::scalarSurfaces::surface Foam::fsi::scalarSurfaces::read
+(
+    const dictionary& dict
+)
+{
+    const word type
+    (
+        readChoice(dict, "type", "blocked", {"blocked", "fixedValue", "flux"})
+    );
+    surface s;
+    if (type == "fixedValue")
+    {
+        checkKeys(dict, {"type", "value"});
+        s.type = fixedValue;
+        s.value = readEntry<scalar>(dict, "value");
+    }
+    else if (type == "flux")
+    {
+        checkKeys(dict, {"type", "flux"});
+        s.type = flux;
+        s.value = readEntry<scalar>(dict, "flux");
+    }
+    else
+    {
+        checkKeys(dict, {"type"});
+    }
+    return s;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::scalarSurfaces::scalarSurfaces
+(
+    const fsiObjects& objects,
+    const interfaceGeometry& geometry,
+    const dictionary& dict
+)
+:
+    objects_(objects),
+    geometry_(geometry),
+    surfaces_(objects.bodies().groups().size()),
+    group_(objects.grid().mesh().nCells(), -1),
+    fixed_(group_.size(), false),
+    beside_(group_.size(), false)
+{
+    wordList names;
+    forAll(surfaces_, groupi)
+    {
+        const bodyGroup& group = objects.bodies().groups()[groupi];
+        if (group.hasWalls())
+        {
+            const word& name = group.shape().name();
+            names.append(name);
+            checkSubDicts(dict, {name});
+            surfaces_[groupi] = read(dict.subOrEmptyDict(name));
+        }
+    }
+    checkKeys(dict, names);
+    update();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::scalarSurfaces::update()
+{
+    const population& bodies = objects_.bodies();
+    const labelList& object = objects_.levelSet().object();
+    const scalarField& distance = objects_.levelSet().cellDistance();
+    const labelList& haloIndex = objects_.grid().haloIndex();
+    const boolList& fluid = geometry_.fluidCell();
+    const scalar near = objects_.grid().spacing();
+    forAll(group_, celli)
+    {
+        const label here = haloIndex[celli];
+        group_[celli] =
+            object[here] >= 0 ? bodies.objectGroup(object[here]) : -1;
+        const bool ofValue =
+            group_[celli] >= 0
+         && surfaces_[group_[celli]].type == fixedValue;
+        fixed_[celli] = ofValue && !fluid[celli];
+        beside_[celli] =
+            ofValue && fluid[celli] && distance[here] < near;
+    }
+}
+
+
+// ************************************************************************* //
