@@ -130,11 +130,12 @@ void Foam::fsi::carriedScalar::spread(const fvScalarMatrix& equation)
     // Sum of the residuals of all cells that are not fixed, which have no
     // coefficients of fixed ones; their volume
     const boolList& fixed = surfaces_.fixed();
-    scalarList sums({0, 0});
+    scalarList sums({0, 0, 0});
     forAll(fixed, celli)
     {
         if (!fixed[celli])
         {
+            sums[2] += mag(equation.source()[celli]);
             sums[0] +=
                 equation.source()[celli] - equation.diag()[celli]*C_[celli];
             sums[1] += volumes_.now()[celli];
@@ -161,6 +162,11 @@ void Foam::fsi::carriedScalar::spread(const fvScalarMatrix& equation)
         sums[0] += sum(ofOther*across - ofCell*pC.patchInternalField());
     }
     sumOverRanks(sums);
+    if (mag(sums[0]) <= 10*SMALL*sums[2])
+    {
+        // The sum's own round-off
+        return;
+    }
     const scalar shift = objects_.deltaT()*sums[0]/max(sums[1], VSMALL);
     forAll(fixed, celli)
     {
