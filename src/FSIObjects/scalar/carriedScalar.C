@@ -5,100 +5,24 @@
 #include "errorOf.H"
 #include "fsiObjects.H"
 #include "objectWriter.H"
-#include "openVolume.H"
+#include "openVolumes.H"
 #include "openfoamMesh.H"
 #include "sumOverRanks.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Open part of a cell from the distances at its corners
-static scalar openPart
-(
-    const cartesianBlock& corners,
-    const scalarField& distance,
-    const labelVector& ijk
-)
-{
-    // Around the lower face, and above
-    static const label x[] = {0, 1, 1, 0};
-    static const label y[] = {0, 0, 1, 1};
-    FixedList<scalar, 8> values;
-    for (label i = 0; i < (corners.nDims() == 2 ? 4 : 8); ++i)
-    {
-        const labelVector corner(x[i % 4], y[i % 4], i/4);
-        values[i] = distance[corners.index(ijk + corner)];
-    }
-    return
-        corners.nDims() == 2
-      ? openSquare({values[0], values[1], values[2], values[3]})
-      : openCube(values);
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::tmp<Foam::scalarField> Foam::fsi::carriedScalar::openVolumes() const
+void Foam::fsi::carriedScalar::addFluxes(scalarField& source)
 {
-    const cartesianMesh& grid = objects_.grid();
-    const cartesianBlock cells(grid.cells());
-    const cartesianBlock corners(grid.corners());
-    const scalarField& distance = objects_.levelSet().cellDistance();
-    const scalarField& atCorners = objects_.levelSet().cornerDistance();
-    const scalar whole = grid.faceArea()*grid.spacing();
-    auto topen = newTmp<scalarField>(C_.size());
-    scalarField& open = topen.ref();
-    forAll(open, celli)
+    const population& bodies = objects_.bodies();
+    for (const cellWall& part : geometry_.surfaceParts())
     {
-        const scalar away = distance[grid.haloIndex()[celli]];
-        const bool full =
-            surfaces_.fixed()[celli]
-         || surfaces_.beside()[celli]
-         || away > grid.spacing();
-        open[celli] =
-            full ? 1
-          : !geometry_.activeCell()[celli] ? 0
-          : openPart(corners, atCorners, cells.ijk(grid.blockIndex()[celli]));
-    }
-    open *= whole;
-    return topen;
-}
-
-
-void Foam::fsi::carriedScalar::setFixed()
-{
-    forAll(C_, celli)
-    {
-        if (surfaces_.fixed()[celli])
+        const label groupi = bodies.objectGroup(part.place.object);
+        const auto& surface = surfaces_.all()[groupi];
+        if (surface.type == scalarSurfaces::flux)
         {
-            C_[celli] = surfaces_.value(celli);
-        }
-    }
-    C_.correctBoundaryConditions();
-}
-
-
-void Foam::fsi::carriedScalar::countFixed(const scalarField& taken)
-{
-    for (const fixedLink& link : links_)
-    {
-        fromSurfaces_[surfaces_.group()[link.cell]] +=
-            link.ofFixed*link.value - link.ofCell*C_[link.cell];
-    }
-    const scalar perStep = 1/objects_.deltaT();
-    forAll(taken, celli)
-    {
-        if (surfaces_.beside()[celli])
-        {
-            fromSurfaces_[surfaces_.group()[celli]] +=
-                perStep*taken[celli]*C_[celli];
+            const scalar rate = surface.value*mag(part.area);
+            source[part.cell] += rate;
+            fromSurfaces_[groupi] += rate;
         }
     }
 }
@@ -217,7 +141,7 @@ void Foam::fsi::carriedScalar::write(const scalar inflow)
 
 Foam::fsi::carriedScalar::carriedScalar
 (
-    const fsiObjects& objects,
+    fsiObjects& objects,
     const interfaceGeometry& geometry,
     const word& name,
     const dictionary& dict
@@ -237,9 +161,18 @@ Foam::fsi::carriedScalar::carriedScalar
         ),
         objects.grid().mesh()
     ),
-    diffusivity_(readPositive(dict, "diffusivity")),
     surfaces_(objects, geometry, dict.subOrEmptyDict("surfaces")),
-    volumes_(objects.grid(), name + "Volume", openVolumes()()),
+    transport_
+    (
+        geometry, surfaces_, C_, readPositive(dict, "diffusivity")
+    ),
+    fixed_(geometry, surfaces_, C_),
+    volumes_
+    (
+        objects.grid(),
+        name + "Volume",
+        openVolumes(objects, geometry, surfaces_)()
+    ),
     fromSurfaces_(surfaces_.all().size(), Zero),
     expansion_(0),
     reference_(0)
@@ -260,7 +193,7 @@ Foam::fsi::carriedScalar::carriedScalar
     }
     table_ =
         objectWriter::newTable(objects.grid().mesh().time(), name, columns);
-    setFixed();
+    fixed_.setValues();
 }
 
 
@@ -291,7 +224,7 @@ void Foam::fsi::carriedScalar::advance(const surfaceScalarField& phi)
     const boolList wasFixed(surfaces_.fixed());
     const scalarField last(C_.primitiveField());
     surfaces_.update();
-    setFixed();
+    fixed_.setValues();
 
     surfaceScalarField flux(C_.name() + "Flux", phi);
     boolList free(C_.size());
@@ -301,14 +234,21 @@ void Foam::fsi::carriedScalar::advance(const surfaceScalarField& phi)
     }
     const tmp<scalarField> ttaken
     (
-        volumes_.advance(openVolumes(), openFaces(), free, flux)
+        volumes_.advance
+        (
+            openVolumes(objects_, geometry_, surfaces_),
+            transport_.openFaces(),
+            free,
+            flux
+        )
     );
     const scalarField& taken = ttaken();
 
     fvScalarMatrix equation(C_, C_.dimensions()*dimVolume/dimTime);
-    addTransport(flux, equation);
+    transport_.set(flux, volumes_.field(), equation);
+    fixed_.addLinks(transport_.diffusivity(), equation);
     fromSurfaces_ = Zero;
-    addSurfaces(equation);
+    addFluxes(equation.source());
     forAll(taken, celli)
     {
         const scalar before = perStep*volumes_.last()[celli]*last[celli];
@@ -321,9 +261,12 @@ void Foam::fsi::carriedScalar::advance(const surfaceScalarField& phi)
             fromSurfaces_[surfaces_.group()[celli]] += fixed ? -before : before;
         }
     }
-    fixCells(equation);
-    equation.solve(solverControls(C_.mesh(), C_.name()));
-    countFixed(taken);
+    fixed_.fix(objects_.deltaT(), equation);
+    objects_.log().solved
+    (
+        quietly(equation, solverControls(C_.mesh(), C_.name()))
+    );
+    fixed_.count(perStep*taken, fromSurfaces_);
     const scalar in = inflow(equation);
     spread(equation);
     C_.correctBoundaryConditions();

@@ -8,7 +8,7 @@
 
 Foam::fsi::carriedScalars::carriedScalars
 (
-    const fsiObjects& objects,
+    fsiObjects& objects,
     const interfaceGeometry& geometry
 )
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "heldVolumes.H"
-#include "fvMatrices.H"
 #include "openLaplacian.H"
 #include "zeroGradientFvPatchFields.H"
 
@@ -27,6 +26,22 @@ static void subtractFluxes
 
 } // End namespace fsi
 } // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+Foam::solverPerformance Foam::fsi::quietly
+(
+    fvScalarMatrix& equation,
+    const dictionary& controls
+)
+{
+    const int printed = solverPerformance::debug;
+    solverPerformance::debug = 0;
+    const solverPerformance result(equation.solve(controls));
+    solverPerformance::debug = printed;
+    return result;
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -91,10 +106,7 @@ void Foam::fsi::heldVolumes::solve
     controls.add("preconditioner", word("DIC"));
     controls.add("tolerance", tolerance);
     controls.add("relTol", scalar(0));
-    const int printed = solverPerformance::debug;
-    solverPerformance::debug = 0;
-    equation.solve(controls);
-    solverPerformance::debug = printed;
+    quietly(equation, controls);
 }
 
 

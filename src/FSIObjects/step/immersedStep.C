@@ -104,9 +104,7 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
 
     // The surfaces are where they are: level set, walls, new cells
     moveWalls();
-    scalars_->advance(phi_);
-    moveFlux(phi_);
-    level_.set();
+    endStep();
 }
 
 

@@ -236,9 +236,7 @@ void Foam::fsi::weakStep::advance(const flowSources& sources)
     objects_.move(velocity_.groups(), step);
     beginMove({});
     endMove();
-    scalars_->advance(phi_);
-    moveFlux(phi_);
-    level_.set();
+    endStep();
 }
 
 

@@ -9,9 +9,12 @@
    three ranks, and after a restart.
 2. A disc and a sphere of a fixed value in a fluid at rest give off what the
    exact solution says, with an error of second order in the mesh.
-3. The amount in the fluid changes by what surfaces give it, also where they
+3. A sphere of a fixed value in a stream at Re 20 and Pe 20 has the Sherwood
+   number of Froessling (1938), 2 + 0.552 Re^1/2 Sc^1/3, and of Clift, Grace
+   and Weber (1978), 1 + (1 + Pe)^1/3 Re^0.077, within 3 %.
+4. The amount in the fluid changes by what surfaces give it, also where they
    move: a disc of a fixed value, an ellipse with a flux.
-4. Heat moves the fluid: the flow in a square between a hot and a cold wall
+5. Heat moves the fluid: the flow in a square between a hot and a cold wall
    (de Vahl Davis, 1983, doi 10.1002/fld.1650030305).
 """
 
@@ -21,10 +24,9 @@ import sys
 
 import fsiCase
 import results
+from scalarCase import SIDES, ScalarCase
 
 STEPS = 30
-
-SIDES = ("left", "right", "bottom", "top", "back", "front")
 
 PLANE = """
 disc
@@ -53,43 +55,6 @@ bar
 """
 
 
-class ScalarCase(fsiCase.Case):
-    """A case with scalars. scalars: a tuple of each, its name, its entries in
-    fsiProperties, its values inside, and its boundary conditions by side."""
-
-    def __init__(self, path, scalars, **parameters):
-        self.scalars = scalars
-        entries = "".join(f"{name} {{ {text} }}\n"
-                          for name, text, *_ in scalars)
-        parameters["properties"] = (parameters.get("properties", "")
-                                    + f"scalars\n{{\n{entries}}}\n")
-        super().__init__(path, **parameters)
-
-    def write(self):
-        """Writes the files of the scalars as well."""
-        super().write()
-        solvers = []
-        for name, _, inside, sides in self.scalars:
-            patches = "".join(
-                f"{s} {{ "
-                + ("type cyclic;" if self.cyclic_opposite(s) else
-                   sides.get(s, "type zeroGradient;")) + " }\n"
-                for s in self.sides())
-            if self.dimensions() == 2:
-                patches += "frontAndBack { type empty; }\n"
-            self.file(f"0/{name}",
-                      f"dimensions [0 0 0 0 0 0 0];\ninternalField {inside};\n"
-                      f"boundaryField\n{{\n{patches}}}\n", "volScalarField")
-            solvers.append(f"    {name} {{ solver PBiCGStab; preconditioner "
-                           "DILU; tolerance 1e-12; relTol 0; }\n")
-        path = os.path.join(self.path, "system/fvSolution")
-        with open(path, encoding="ascii") as stream:
-            text = stream.read()
-        with open(path, "w", encoding="ascii") as stream:
-            stream.write(text.replace("solvers\n{\n", "solvers\n{\n"
-                                      + "".join(solvers)))
-
-
 def steps_of(n, *values):
     """A nonuniform list: the values in turn, in equal parts of n cells."""
     size = -(-n//len(values))
@@ -109,8 +74,8 @@ def box(folder, name, solid=False, surfaces="", **changes):
           steps_of(n, 1, 0, 2, 0.5), {}),
          ("even", "diffusivity 1e-3;", "uniform 3", {})),
         box=(0, 0, 0, 1.5, 1, 1) if solid else (0, 0, 1.5, 1), cells=cells,
-        viscosity=0.01, p_tolerance=1e-10, walls={"top": "(1 0 0)"}, gravity="(0 -5 0)",
-        shapes=SOLID if solid else PLANE,
+        viscosity=0.01, p_tolerance=1e-10, walls={"top": "(1 0 0)"},
+        gravity="(0 -5 0)", shapes=SOLID if solid else PLANE,
         placements=f"""
         a {{ type listed; shape disc; objects ({{ centre (0.4 0.6 {z}); }}); }}
         b {{ type listed; shape bar; objects ({{ centre (1 0.5 {z}); }}); }}
@@ -172,14 +137,14 @@ def blocked(report, folder, solid):
         report.check(f"{name} on {n} ranks", change < 1e-6, f"{change}")
 
 
-def ball(solid, **more):
-    """Shape and placement of a fixed disc or sphere of the radius 0.25."""
+def ball(solid, radius=0.25):
+    """Shape and placement of a fixed disc or sphere."""
     shape = "sphere" if solid else "circle"
-    return {"shapes": f"disc {{ shape {{ type {shape}; radius 0.25; }} "
+    return {"shapes": f"disc {{ shape {{ type {shape}; radius {radius}; }} "
                       "material { type rigid; density 1; } "
                       "motion { type fixed; } }",
             "placements": "a { type listed; shape disc; "
-                          "objects ({ centre (0 0 0); }); }", **more}
+                          "objects ({ centre (0 0 0); }); }"}
 
 
 def still(folder, n, solid):
@@ -234,8 +199,35 @@ def fixed_value(report, folder):
                      f"{one}, {two}")
 
 
-def given(report, folder):
+def stream(report, folder):
     """Check 3."""
+    n, reach = 8, 3.5
+    case = ScalarCase(
+        os.path.join(folder, "stream"),
+        (("dye", "diffusivity 0.05; surfaces { disc { type fixedValue; "
+          "value 1; } }", "uniform 0",
+          {"left": "type fixedValue; value uniform 0;"}),),
+        box=(-reach,)*3 + (reach,)*3, cells=(round(2*reach*n),)*3,
+        viscosity=0.05, velocity="(1 0 0)",
+        walls=dict.fromkeys(SIDES[2:], "(1 0 0)"),
+        open={"left": ("type fixedValue; value uniform (1 0 0);",
+                       "type zeroGradient;"),
+              "right": ("type zeroGradient;",
+                        "type fixedValue; value uniform 0;")},
+        deltaT=1/n, endTime=7, writeInterval=7*n,
+        **ball(True, radius=0.5)).set_up()
+    case.run("fsiPisoFoam")
+    rate = results.table(case.path, "dye.csv")[-1]["disc"]
+    number = rate/(0.05*math.pi)
+    for name, value in (("Froessling", 2 + 0.552*20**0.5),
+                        ("Clift", 1 + 21**(1/3)*20**0.077)):
+        print(f"    Sherwood number {number:.3f}, {name} {value:.3f}")
+        report.check(f"Sherwood number, {name}", abs(number/value - 1) < 0.03,
+                     f"{number}, {value}")
+
+
+def given(report, folder):
+    """Check 4."""
     case = box(folder, "given", surfaces="disc { type fixedValue; value 2; } "
                "bar { type flux; flux 0.5; }")
     case.run("fsiPisoFoam")
@@ -270,7 +262,7 @@ def cavity(folder, n):
 
 
 def buoyancy(report, folder):
-    """Check 4."""
+    """Check 5."""
     one, two = (cavity(folder, n) for n in (16, 32))
     limit = two + (two - one)/3
     print(f"    Nusselt number {one:.4f}, {two:.4f}, in the limit "
@@ -293,6 +285,7 @@ def main(folder):
     for solid in (False, True):
         report.attempt("blocked", blocked, report, folder, solid)
     report.attempt("fixed value", fixed_value, report, folder)
+    report.attempt("stream", stream, report, folder)
     report.attempt("given", given, report, folder)
     report.attempt("buoyancy", buoyancy, report, folder)
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "carriedScalar.H"
+#include "scalarTransport.H"
 #include "IStringStream.H"
-#include "fsiObjects.H"
 #include "fvcSurfaceIntegrate.H"
 #include "openLaplacian.H"
 #include "swapCoupledCells.H"
@@ -10,7 +9,7 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::tmp<Foam::surfaceInterpolationScheme<Foam::scalar>>
-Foam::fsi::carriedScalar::interpolation(const surfaceScalarField& flux) const
+Foam::fsi::scalarTransport::interpolation(const surfaceScalarField& flux) const
 {
     const fvMesh& mesh = C_.mesh();
     const word key("div(phi," + C_.name() + ')');
@@ -32,16 +31,17 @@ Foam::fsi::carriedScalar::interpolation(const surfaceScalarField& flux) const
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::carriedScalar::weightsOf
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::scalarTransport::weightsOf
 (
     const surfaceScalarField& flux,
+    const volScalarField& volume,
     const surfaceInterpolationScheme<scalar>& scheme
 ) const
 {
     auto tweights = newTmp<surfaceScalarField>(scheme.weights(C_));
     surfaceScalarField& weights = tweights.ref();
     const scalar least =
-        leastShare*objects_.grid().faceArea()*objects_.grid().spacing();
+        leastShare*geometry_.grid().faceArea()*geometry_.grid().spacing();
     const auto limit =
         [&](const scalar a, const scalar b, const scalar f, scalar& weight)
     {
@@ -50,7 +50,6 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::carriedScalar::weightsOf
             weight = f >= 0 ? 1 : 0;
         }
     };
-    const volScalarField& volume = volumes_.field();
     const labelUList& own = C_.mesh().owner();
     const labelUList& nei = C_.mesh().neighbour();
     forAll(own, facei)
@@ -79,7 +78,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::carriedScalar::weightsOf
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::carriedScalar::perFace
+Foam::tmp<Foam::surfaceScalarField> Foam::fsi::scalarTransport::perFace
 (
     const char* name,
     const std::function<scalar(label, bool, bool)>& value
@@ -135,25 +134,11 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::carriedScalar::perFace
 }
 
 
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::carriedScalar::openFaces() const
-{
-    const scalarField& now = geometry_.openness();
-    const scalarField& last = geometry_.lastOpenness();
-    return perFace
-    (
-        "Open",
-        [&](const label facei, const bool fixed, const bool)
-        {
-            return fixed ? 0 : max(now[facei], last[facei]);
-        }
-    );
-}
-
-
-Foam::tmp<Foam::surfaceScalarField> Foam::fsi::carriedScalar::diffusion() const
+Foam::tmp<Foam::surfaceScalarField>
+Foam::fsi::scalarTransport::diffusion() const
 {
     const scalarField& open = geometry_.openness();
-    const scalar all = diffusivity_*objects_.grid().faceArea();
+    const scalar all = diffusivity_*geometry_.grid().faceArea();
     return perFace
     (
         "Diffusion",
@@ -168,19 +153,38 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::carriedScalar::diffusion() const
 }
 
 
-void Foam::fsi::carriedScalar::addTransport
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::tmp<Foam::surfaceScalarField>
+Foam::fsi::scalarTransport::openFaces() const
+{
+    const scalarField& now = geometry_.openness();
+    const scalarField& last = geometry_.lastOpenness();
+    return perFace
+    (
+        "Open",
+        [&](const label facei, const bool fixed, const bool)
+        {
+            return fixed ? 0 : max(now[facei], last[facei]);
+        }
+    );
+}
+
+
+void Foam::fsi::scalarTransport::set
 (
     const surfaceScalarField& flux,
+    const volScalarField& volume,
     fvScalarMatrix& equation
 ) const
 {
     const fvMesh& mesh = C_.mesh();
     const auto tscheme(interpolation(flux));
-    const tmp<surfaceScalarField> tweights(weightsOf(flux, tscheme()));
+    const tmp<surfaceScalarField> tweights(weightsOf(flux, volume, tscheme()));
     const surfaceScalarField& weights = tweights();
     const tmp<surfaceScalarField> tdiffusion(diffusion());
     const surfaceScalarField& D = tdiffusion();
-    const scalar perLength = 1/objects_.grid().spacing();
+    const scalar perLength = 1/geometry_.grid().spacing();
 
     scalarField& diagonal = equation.diag();
     scalarField& upper = equation.upper();
@@ -209,119 +213,6 @@ void Foam::fsi::carriedScalar::addTransport
     if (tscheme().corrected())
     {
         equation += fvc::surfaceIntegrate(flux*tscheme().correction(C_));
-    }
-}
-
-
-void Foam::fsi::carriedScalar::setConvection
-(
-    const wallLink& link,
-    const fvScalarMatrix& equation,
-    fixedLink& f
-) const
-{
-    // There is no diffusion in these coefficients
-    if (link.across < 0)
-    {
-        const polyBoundaryMesh& patches = C_.mesh().boundaryMesh();
-        const label patchi = patches.whichPatch(link.face);
-        const label i = link.face - patches[patchi].start();
-        f.ofCell = internalCoeffsOf(equation)[patchi][i];
-        f.ofFixed = boundaryCoeffsOf(equation)[patchi][i];
-        return;
-    }
-    const bool owns = link.cell < link.across;
-    const scalar upper = equation.upper()[link.face];
-    const scalar lower = equation.lower()[link.face];
-    f.ofCell = owns ? -lower : -upper;
-    f.ofFixed = owns ? -upper : -lower;
-}
-
-
-void Foam::fsi::carriedScalar::addSurfaces(fvScalarMatrix& equation)
-{
-    const fvMesh& mesh = C_.mesh();
-    const boolList& fixed = surfaces_.fixed();
-    scalarList across;
-    swapCoupledCells(mesh, C_.primitiveField(), across);
-    boolList fixedAcross;
-    swapCoupledCells(mesh, fixed, fixedAcross);
-    links_.clear();
-    for (const wallLink& link : geometry_.wallLinks())
-    {
-        const label inBoundary = link.face - mesh.nInternalFaces();
-        if (inBoundary < 0 ? fixed[link.across] : fixedAcross[inBoundary])
-        {
-            fixedLink fixedOne;
-            fixedOne.cell = link.cell;
-            fixedOne.value =
-                inBoundary < 0 ? C_[link.across] : across[inBoundary];
-            setConvection(link, equation, fixedOne);
-            const scalar g = diffusivity_*link.conductance;
-            fixedOne.ofCell += g;
-            fixedOne.ofFixed += g;
-            links_.append(fixedOne);
-            equation.diag()[link.cell] += g;
-            equation.source()[link.cell] += g*fixedOne.value;
-        }
-    }
-    const population& bodies = objects_.bodies();
-    for (const cellWall& part : geometry_.surfaceParts())
-    {
-        const label groupi = bodies.objectGroup(part.place.object);
-        const auto& surface = surfaces_.all()[groupi];
-        if (surface.type == scalarSurfaces::flux)
-        {
-            const scalar rate = surface.value*mag(part.area);
-            equation.source()[part.cell] += rate;
-            fromSurfaces_[groupi] += rate;
-        }
-    }
-}
-
-
-void Foam::fsi::carriedScalar::fixCells(fvScalarMatrix& equation) const
-{
-    const boolList& fixed = surfaces_.fixed();
-    const scalar whole =
-        objects_.grid().faceArea()*objects_.grid().spacing()
-       /objects_.deltaT();
-    scalarField& diagonal = equation.diag();
-    scalarField& source = equation.source();
-    const labelUList& own = C_.mesh().owner();
-    const labelUList& nei = C_.mesh().neighbour();
-    forAll(own, facei)
-    {
-        const bool ofOwner = fixed[own[facei]];
-        const bool ofOther = fixed[nei[facei]];
-        if (ofOwner || ofOther)
-        {
-            source[own[facei]] -= equation.upper()[facei]*C_[nei[facei]];
-            source[nei[facei]] -= equation.lower()[facei]*C_[own[facei]];
-            equation.upper()[facei] = equation.lower()[facei] = 0;
-        }
-    }
-    forAll(internalCoeffsOf(equation), patchi)
-    {
-        const labelUList& cells = equation.lduAddr().patchAddr(patchi);
-        forAll(internalCoeffsOf(equation)[patchi], i)
-        {
-            if (fixed[cells[i]])
-            {
-                internalCoeffsOf(equation)[patchi][i] = Zero;
-                boundaryCoeffsOf(equation)[patchi][i] = Zero;
-            }
-        }
-    }
-    const scalarField all(equation.D());
-    forAll(fixed, celli)
-    {
-        // Cells without fluid keep their value as well
-        if (fixed[celli] || all[celli] <= SMALL*whole)
-        {
-            diagonal[celli] += whole;
-            source[celli] = diagonal[celli]*C_[celli];
-        }
     }
 }
 
