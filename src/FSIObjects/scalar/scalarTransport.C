@@ -13,7 +13,8 @@ Foam::fsi::scalarTransport::interpolation(const surfaceScalarField& flux) const
 {
     const fvMesh& mesh = C_.mesh();
     const word key("div(phi," + C_.name() + ')');
-    if (!schemesOf(mesh).subOrEmptyDict("divSchemes").found(key))
+    const word schemes("divSchemes");
+    if (!schemesOf(mesh).subOrEmptyDict(schemes).found(key))
     {
         IStringStream scheme("limitedLinear 1");
         return surfaceInterpolationScheme<scalar>::New(mesh, flux, scheme);
