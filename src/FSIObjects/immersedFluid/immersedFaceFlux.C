@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFlux.H"
+#include "openLaplacian.H"
 #include "openfoamMesh.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -61,15 +62,18 @@ void Foam::fsi::immersedFlux::fadeOnPatches
     forAll(p.boundaryField(), patchi)
     {
         const fvPatchScalarField& pp = p.boundaryField()[patchi];
-        if (!pp.coupled())
+        const bool coupled = pp.coupled();
+        if (!coupled && !pp.fixesValue())
         {
             continue;
         }
-        const scalarField dpdn(pp.snGrad(pp.patch().deltaCoeffs()));
+        const tmp<scalarField> tdpdn(normalGradient(pp));
+        const scalarField& dpdn = tdpdn();
         const scalarField mean(faces_.patchMean(gradient, patchi));
+        const fvPatchVectorField& pg = gradient.boundaryField()[patchi];
         const vectorField across
         (
-            gradient.boundaryField()[patchi].patchNeighbourField()
+            coupled ? pg.patchNeighbourField() : pg.patchInternalField()
         );
         const labelUList& cells = pp.patch().faceCells();
         const label start = pp.patch().start();
@@ -77,7 +81,9 @@ void Foam::fsi::immersedFlux::fadeOnPatches
         {
             const bool here = fluid[cells[i]];
             const bool there =
-                geometry_.fluidAcross()[start + i - flux.size()];
+                coupled
+              ? geometry_.fluidAcross()[start + i - flux.size()]
+              : here;
             const scalar g =
                 here == there
               ? mean[i]

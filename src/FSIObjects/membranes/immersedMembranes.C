@@ -26,16 +26,48 @@ static label readKernel(const dictionary& dict)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+void Foam::fsi::immersedMembranes::findPassing()
+{
+    const surfaceSet& surfaces = bodies_.surfaces();
+    passes_.setSize(surfaces.size());
+    forAll(passes_, objecti)
+    {
+        passes_[objecti] =
+            objects_.sides().anyOpen() && !surfaces.hasWalls(objecti)
+         && objects_.sides().reachedOut(surfaces.bounds(objecti));
+    }
+}
+
+
 template<class Action>
 void Foam::fsi::immersedMembranes::forMembranes(const Action& action) const
 {
     const surfaceSet& surfaces = bodies_.surfaces();
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
-        if (!surfaces.hasWalls(objecti))
+        if (!surfaces.hasWalls(objecti) && !passes_[objecti])
         {
             const label start = surfaces.pointStart()[objecti];
             action(start, surfaces.pointStart()[objecti + 1] - start);
+        }
+    }
+}
+
+
+void Foam::fsi::immersedMembranes::carry
+(
+    const label groupi,
+    Eigen::MatrixXd& v
+) const
+{
+    const bodyGroup& group = bodies_.groups()[groupi];
+    for (label copyi = 0; copyi < group.size(); ++copyi)
+    {
+        if (passes_[bodies_.objectIndex(groupi, copyi)])
+        {
+            const vector mean(group.velocity(copyi));
+            v.middleCols(3*copyi, 3).rowwise() =
+                Eigen::RowVector3d(mean.x(), mean.y(), mean.z());
         }
     }
 }
@@ -102,6 +134,7 @@ void Foam::fsi::immersedMembranes::spread
     {
         return;
     }
+    findPassing();
     if (contact_.valid())
     {
         addContact(step.dt, force);
@@ -218,6 +251,7 @@ void Foam::fsi::immersedMembranes::setVelocities
                 deltaT, v[groupi]
             );
             limit(groupi);
+            carry(groupi, v[groupi]);
         }
     }
 }

@@ -10,6 +10,7 @@ import re
 import sys
 
 import fsiCase
+import membranes
 import results
 from openChannel import CELLS, OPEN, PLUG, SPEED, channel
 
@@ -263,6 +264,7 @@ def main(folder):
     check_long(report, folder)
     check_crowd(report, folder)
     check_names(report, folder)
+    membranes.check(report, folder)
 
 
 if __name__ == "__main__":
