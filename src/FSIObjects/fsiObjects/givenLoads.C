@@ -2,7 +2,7 @@
 
 #include "givenLoads.H"
 #include "nodesInRegion.H"
-#include "openfoamFunction.H"
+#include "readFunction.H"
 #include "rigidTurn.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -38,6 +38,15 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
     autoPtr<bodyMotion> motion(bodyMotion::New(motionDict));
     if (motion.valid())
     {
+        if (!shape.held().empty())
+        {
+            FatalIOErrorInFunction(motionDict)
+                << "Entry 'type' in dictionary " << motionDict.name() << " is "
+                << motion->type() << ", which prescribes how shape "
+                << shape.name() << " moves, but entry 'hold' of the shape holds"
+                << " its nodes as well" << nl << "Leave out 'hold', or take"
+                << " the type free" << exit(FatalIOError);
+        }
         return autoPtr<bodyGroup>
         (
             new prescribedBodies(shape, std::move(motion))

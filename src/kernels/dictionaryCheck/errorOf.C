@@ -55,6 +55,7 @@ Foam::fsi::caughtError Foam::fsi::errorOf(const std::function<void()>& code)
     catch (const IOerror& error)
     {
         caught.message = error.message();
+        caught.file = error.ioFileName();
         caught.line = error.ioStartLineNumber();
     }
     catch (const error& error)

@@ -2,9 +2,9 @@
 
 #include "bodyMotion.H"
 #include "dictionaryCheck.H"
-#include "openfoamFunction.H"
 #include "openfoamVersion.H"
 #include "readBetween.H"
+#include "readFunction.H"
 #include "rigidTurn.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //

@@ -2,8 +2,8 @@
 
 #include "functionMotion.H"
 #include "addToRunTimeSelectionTable.H"
-#include "openfoamFunction.H"
 #include "openfoamVersion.H"
+#include "readFunction.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 

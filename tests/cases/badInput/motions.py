@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects whose motion is prescribed, and objects at one place: what cannot be
-ends in an error that names them.
+"""Objects whose motion is prescribed, functions of time, and objects at one
+place: what cannot be ends in an error that names them.
 
     motions.py FOLDER
 """
@@ -13,6 +13,46 @@ import sys
 import fsiCase
 import results
 from refused import refused
+
+# Functions of time that are wrong, and texts of the message
+FUNCTIONS = {
+    "unknown": ("tabel ((0 (0 0 0)))", ("tabel",)),
+    "without its file": ('{ type tableFile; file "nowhere.dat"; }',
+                         ("nowhere.dat", "Cannot open")),
+    "without the name of its file": ("{ type tableFile; }", ("'file'",)),
+    "of numbers": ("table ((0 1) (1 2))", ("3 components",)),
+    "of two components": ("constant (1 2)", ("3 components",)),
+    "that is a number": ("1", ("3 components",)),
+    "without a row": ("table ()", ("empty",)),
+    "without an end": ("constant (1e200 0 0)", ("1e15",)),
+    "whose times go back": ("table ((1 (0 0 0)) (0 (1 0 0)))", ("order",)),
+}
+
+
+def check_functions(report, folder):
+    """Functions of time that cannot be, and a body that is held and moved."""
+    root = "hold { root { type halfSpace; normal (0 -1 0); } } motion { type "
+    wrong = {f"a function {name}": (
+        f"motion {{ type function; displacement {text}; }}",
+        ("'displacement'", "table", "constant", *texts))
+             for name, (text, texts) in FUNCTIONS.items()}
+    wrong["a force of a word"] = (
+        "motion { type free; force strong; }", ("'force'", "strong", "table"))
+    wrong["a held body that is moved"] = (
+        root + "rotating; angularVelocity (0 0 1); } ",
+        ("'type'", "rotating", "'hold'", "free"))
+    case = fsiCase.Case(
+        os.path.join(folder, "functions"), cells=(32, 32),
+        placements="a { type listed; shape disc; objects "
+                   "({ centre (0.5 0.5 0); }); }")
+    case.run("blockMesh")
+    for name, (text, texts) in wrong.items():
+        case.values["shapes"] = (
+            "disc { shape { type circle; radius 0.15; } material { type rigid; "
+            f"density 1; }} {text} }}")
+        case.write()
+        refused(report, name, case, "seedObjects", (
+            "FATAL IO ERROR", "seedObjectsDict", "disc.motion", *texts))
 
 
 def check_prescribed(report, folder):
@@ -103,6 +143,7 @@ def check_one_place(report, folder):
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
+    report.attempt("functions", check_functions, report, folder)
     check_prescribed(report, folder)
     check_fed(report, folder)
     check_one_place(report, folder)
