@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "packing.H"
-#include "IStringStream.H"
 #include "openfoamVersion.H"
 #include "OStringStream.H"
 #include "nullBox.H"
@@ -32,13 +31,14 @@ static scalar gridSize(const UList<closedSurface>& shapes, const scalar h)
 
 Foam::fsi::packing::ball Foam::fsi::packing::ballOf
 (
-    const placedObject& object
+    const placedObject& object,
+    const vector& shift
 ) const
 {
     const closedSurface& shape = shapes_[object.shape];
     const scalar scale = object.scale;
     const vector offset(scale*(object.rotation & shape.centroid()));
-    const point centre(offset + object.centre);
+    const point centre(offset + object.centre + shift);
     const scalar r = (1 + 1e-9)*scale*shape.outerRadius();
     const boundBox box(centre - vector(r, r, r), centre + vector(r, r, r));
     return {centre, object.shape, scale, box};
@@ -53,11 +53,15 @@ Foam::label Foam::fsi::packing::findConflict
     const label except
 ) const
 {
-    ball candidate(ballOf(object));
-    candidate.centre += shift;
-    candidate.box.min() += shift;
-    candidate.box.max() += shift;
-    if (!closedSurface::near(candidate.box, occupied_, gap, nDims()))
+    const ball candidate(ballOf(object, shift));
+    if
+    (
+        !closedSurface::near(candidate.box, occupied_, gap, nDims())
+     || (
+            attached(object.shape)
+         && goesThrough(object.shape, placed(object).bounds(), shift)
+        )
+    )
     {
         return -1;
     }
@@ -68,6 +72,7 @@ Foam::label Foam::fsi::packing::findConflict
         if
         (
             objecti == except
+         || goesThrough(other.shape, other.box, shift)
          || !closedSurface::near(candidate.box, other.box, gap, nDims())
         )
         {
@@ -211,11 +216,13 @@ Foam::scalar Foam::fsi::packing::distance
     const scalar limit
 ) const
 {
+    const ball& other = balls_[objecti];
     scalar least = limit;
     for (const vector& shift : shifts_)
     {
         const closedSurface image(candidate.moved(tensor::I, shift));
-        least = image.distance(surface(objecti), least);
+        const scalar d = image.distance(surface(objecti), least);
+        least = goesThrough(other.shape, other.box, shift) ? least : d;
     }
     return least;
 }

@@ -74,6 +74,30 @@ static vectorField homeShifts
 }
 
 
+//- Does a pair count: is neither longer than a period along which one is moved
+//  against the other?
+static bool counts
+(
+    const UList<boundBox>& boxes,
+    const movedBox& a,
+    const movedBox& b,
+    const vector& period
+)
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar longest =
+            max(boxes[a.index].span()[d], boxes[b.index].span()[d]);
+        const scalar moved = mag(a.shift[d] - b.shift[d]);
+        if (period[d] > 0 && longest > period[d] && moved > 0.5*period[d])
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+
 //- The boxes in the first cell of the periods, and of their images those that
 //  can meet one of them
 static DynamicList<movedBox> imagesOf
@@ -172,6 +196,7 @@ Foam::List<Foam::fsi::boxPair> Foam::fsi::boxPairs
             (
                 a.index != b.index && second.home
              && meet(a.box, b.box, nDims)
+             && counts(boxes, a, b, period)
             )
             {
                 found.append

@@ -151,7 +151,18 @@ const Foam::fsi::surfaceSet& Foam::fsi::periodicImages::update
     {
         bounds[objecti] = surfaces.bounds(objecti);
         check(objecti, surfaces.fixed(objecti), bounds[objecti], distance);
-        extend(box, bounds[objecti]);
+
+        // A wall through the domain goes on as it is there
+        boundBox out(bounds[objecti]);
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (longer(out, d, distance))
+            {
+                out.min()[d] = domain_.min()[d];
+                out.max()[d] = domain_.max()[d];
+            }
+        }
+        extend(box, out);
     }
     box = boundBox(box.min() - margin, box.max() + margin);
 

@@ -95,6 +95,26 @@ TEST(SurfacePredicates, solidsMeetAcrossSeams)
 }
 
 
+TEST(SurfacePredicates, wallsThroughThePeriodAreWhereTheyAre)
+{
+    // A solid that is longer than the period meets another one only where both
+    // are, and not its images
+    surfaceSet surfaces(3);
+    appendSphere(surfaces, point(0.5, 0, 0), 6, 1);
+    appendSphere(surfaces, point(7, 0, 0), 0.3, 1);
+    appendSphere(surfaces, point(0.5, 2, 0), 0.3, 1);
+    const List<labelPair> expected(1, labelPair(0, 2));
+    EXPECT_EQ
+    (
+        surfacePredicates::overlapping
+        (
+            surfaces, identityList(3), vector(8, 0, 0)
+        ),
+        expected
+    );
+}
+
+
 TEST(SurfacePredicates, pairsAreThoseOfACompleteSearch)
 {
     std::mt19937 engine(7);

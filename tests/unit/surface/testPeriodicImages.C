@@ -70,6 +70,18 @@ TEST(periodicImages, areThoseThatReachTheDomain)
 }
 
 
+TEST(periodicImages, areNotNeededBesideTheEndsOfAWall)
+{
+    // A wall through the domain does not call images of what is in the middle
+    surfaceSet surfaces(2);
+    appendDisc(surfaces, point(0.5, 3, 0), 2.4);
+    surfaces.setFixed(0, true);
+    appendDisc(surfaces, point(0.5, 0.3, 0), 0.1);
+    periodicImages images(unitSquare(false));
+    EXPECT_EQ(images.update(surfaces, 0.05).size(), 2);
+}
+
+
 TEST(periodicImages, belongToTheirOriginals)
 {
     surfaceSet surfaces(2);
