@@ -68,13 +68,74 @@ def velocities(fluid, time, section):
     return place[within], speed[within]
 
 
-def pieces(polygons, flat):
+def corners_of(polygons):
+    """Places of the corners of all triangles."""
+    points = vtk_to_numpy(polygons.GetPoints().GetData()).astype(float)
+    nodes = vtk_to_numpy(polygons.GetPolys().GetConnectivityArray())
+    return points[nodes].reshape(-1, 3, 3)
+
+
+def bodies(polygons, length):
+    """Corners of the triangles without walls: objects that are longer along x
+    than the mesh."""
+    corners = corners_of(polygons)
+    names, own = numpy.unique(
+        vtk_to_numpy(polygons.GetCellData().GetArray("object")),
+        return_inverse=True)
+    low, high = numpy.full((2, names.size), [[numpy.inf], [-numpy.inf]])
+    numpy.minimum.at(low, own, corners[:, :, 0].min(axis=1))
+    numpy.maximum.at(high, own, corners[:, :, 0].max(axis=1))
+    return corners[(high - low)[own] <= length]
+
+
+def quarters(corners):
+    """Triangles, each cut in four."""
+    a, b, c = (corners[:, i] for i in range(3))
+    ab, bc, ca = 0.5*(a + b), 0.5*(b + c), 0.5*(c + a)
+    return numpy.concatenate([
+        numpy.stack(t, 1) for t in ((a, ab, ca), (ab, b, bc),
+                                    (ca, bc, c), (ab, bc, ca))])
+
+
+def normals(corners):
+    """Normals of triangles, as long as their areas."""
+    return 0.5*numpy.cross(corners[:, 1] - corners[:, 0],
+                           corners[:, 2] - corners[:, 0])
+
+
+def section_of(polygons, shape, bounds):
+    """Radius and centre of the round tube that has the area and the centre of
+    a vessel's mean section within the mesh. By Gauss' theorem they are
+    integrals over its wall."""
+    names = polygons.GetFieldData().GetAbstractArray("shapeNames")
+    names = [names.GetValue(i) for i in range(names.GetNumberOfValues())]
+    if shape not in names:
+        raise OSError(f"no shape {shape}, but " + ", ".join(names))
+    own = vtk_to_numpy(polygons.GetCellData().GetArray("shape"))
+    corners = quarters(quarters(
+        corners_of(polygons)[own == names.index(shape)]))
+    middles = corners.mean(axis=1)
+    inside = numpy.all([(middles[:, i] > bounds[2*i])
+                        & (middles[:, i] < bounds[2*i + 1])
+                        for i in range(3)], axis=0)
+    y, z = middles[inside, 1], middles[inside, 2]
+    _, n_y, n_z = normals(corners[inside]).T
+    volume = 0.5*(y*n_y + z*n_z).sum()
+    if volume == 0:
+        raise OSError(f"no wall of shape {shape} in the mesh")
+    centre = [0.5*(place**2*n).sum()/volume for place, n in ((y, n_y),
+                                                             (z, n_z))]
+    area = abs(volume)/(bounds[1] - bounds[0])
+    return [numpy.sqrt(area/numpy.pi), *centre]
+
+
+def pieces(polygons, section):
     """Middles of parts of the surfaces, and x n_x times their areas, in 2D
     lengths; triangles are cut in sixteen."""
-    points = vtk_to_numpy(polygons.GetPoints().GetData()).astype(float)
-    polys = polygons.GetPolys()
-    nodes = vtk_to_numpy(polys.GetConnectivityArray())
-    if flat:
+    if section.flat:
+        points = vtk_to_numpy(polygons.GetPoints().GetData()).astype(float)
+        polys = polygons.GetPolys()
+        nodes = vtk_to_numpy(polys.GetConnectivityArray())
         ends = vtk_to_numpy(polys.GetOffsetsArray())
         following = numpy.roll(nodes, -1)
         following[ends[1:] - 1] = nodes[ends[:-1]]
@@ -84,23 +145,15 @@ def pieces(polygons, flat):
             [(1 - f)*corners[:, 0] + f*corners[:, 1] for f in fractions])
         area = numpy.tile((corners[:, 1] - corners[:, 0])[:, 1]/8, 8)
         return middles, middles[:, 0]*area
-    corners = points[nodes].reshape(-1, 3, 3)
-    for _ in range(2):
-        a, b, c = (corners[:, i] for i in range(3))
-        ab, bc, ca = 0.5*(a + b), 0.5*(b + c), 0.5*(c + a)
-        corners = numpy.concatenate([
-            numpy.stack(t, 1) for t in ((a, ab, ca), (ab, b, bc),
-                                        (ca, bc, c), (ab, bc, ca))])
-    normal = 0.5*numpy.cross(corners[:, 1] - corners[:, 0],
-                             corners[:, 2] - corners[:, 0])
+    corners = quarters(quarters(bodies(polygons, section.length)))
     middles = corners.mean(axis=1)
-    return middles, middles[:, 0]*normal[:, 0]
+    return middles, middles[:, 0]*normals(corners)[:, 0]
 
 
 def fractions(polygons, section, ends):
     """Volume fraction of objects in each bin. By Gauss' theorem the volume of
     an object in a bin is the integral of x n_x over its surface there."""
-    middles, flux = pieces(polygons, section.flat)
+    middles, flux = pieces(polygons, section)
     volumes, _ = numpy.histogram(section.across(middles), ends, weights=flux)
     if section.flat:
         # Outlines may go round either way
@@ -111,7 +164,9 @@ def fractions(polygons, section, ends):
 def free_layer(polygons, section):
     """Mean distance from the walls to the nearest surface, over pieces of the
     length as long as a tenth of it."""
-    points = vtk_to_numpy(polygons.GetPoints().GetData()).astype(float)
+    points = (
+        vtk_to_numpy(polygons.GetPoints().GetData()).astype(float)
+        if section.flat else bodies(polygons, section.length).reshape(-1, 3))
     piece = numpy.floor(10*(points[:, 0] - section.start)/section.length) % 10
     place = section.across(points)
     gaps = []
