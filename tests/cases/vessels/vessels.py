@@ -7,7 +7,8 @@
 A tube of radius 1 that is cyclic along its axis holds membranes or elastic
 bodies. They are seeded in the fluid alone, some of them across the cyclic
 sides, and the run is the same on two and three ranks and after a restart.
-etc/profiles takes the section of the vessel as the tube.
+etc/profiles takes the section of the vessel as the tube. branch.py has the flow
+in a duct with a branch.
 """
 
 import filecmp
@@ -17,6 +18,7 @@ import re
 import subprocess
 import sys
 
+import branch
 import fsiCase
 import results
 from tubeFile import write_tube
@@ -145,6 +147,7 @@ def main(folder):
     report = fsiCase.Report()
     report.attempt("seeding in a vessel", check_seeding, report, folder)
     report.attempt("ranks and restart", check_same, report, folder)
+    report.attempt("a branch", branch.check, report, folder)
 
 
 if __name__ == "__main__":
