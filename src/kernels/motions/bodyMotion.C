@@ -69,6 +69,13 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
             }
         );
         checkSubDicts(dict, regions);
+        for (const entry& e : dict.subOrEmptyDict(regions[0]))
+        {
+            if (e.isDict())
+            {
+                readFunction<vector>(e.dict(), loads[0]);
+            }
+        }
         return autoPtr<bodyMotion>();
     }
 

@@ -38,6 +38,9 @@ def check_functions(report, folder):
              for name, (text, texts) in FUNCTIONS.items()}
     wrong["a force of a word"] = (
         "motion { type free; force strong; }", ("'force'", "strong", "table"))
+    wrong["a pull of a word"] = (
+        "motion { type free; pulls { right { type halfSpace; normal (1 0 0); "
+        "force strong; } } }", ("'force'", "pulls.right", "strong", "table"))
     wrong["a held body that is moved"] = (
         root + "rotating; angularVelocity (0 0 1); } ",
         ("'type'", "rotating", "'hold'", "free"))
