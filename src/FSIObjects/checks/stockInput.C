@@ -274,9 +274,12 @@ void Foam::fsi::stockInput::checkFrame(const fvMesh& mesh)
 }
 
 
-void Foam::fsi::stockInput::checkFluid(const fvMesh& mesh)
+void Foam::fsi::stockInput::checkFluid(const fvMesh& mesh, const bool hasLaw)
 {
-    checkViscosity(mesh);
+    if (!hasLaw)
+    {
+        checkViscosity(mesh);
+    }
     checkLaminar(mesh);
     const dictionary factors
     (

@@ -9,7 +9,7 @@
 Foam::fsi::fadingPart Foam::fsi::immersedFlux::fadingGradient
 (
     const volVectorField& U,
-    const scalar viscosity,
+    const cellViscosity& viscosity,
     const scalar eigenvalue
 ) const
 {
@@ -20,9 +20,13 @@ Foam::fsi::fadingPart Foam::fsi::immersedFlux::fadingGradient
     {
         part.set(U.mesh(), fadingInStep(U, viscosity));
     }
+    else if (viscosity.cells)
+    {
+        part.set(U.mesh(), deltaT*eigenvalue/sqr(h)*(*viscosity.cells));
+    }
     else
     {
-        part.set(deltaT*viscosity*eigenvalue/sqr(h));
+        part.set(deltaT*viscosity.least*eigenvalue/sqr(h));
     }
     return part;
 }
@@ -170,7 +174,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const volVectorField& gradient,
     const volScalarField& p,
     const vectorField& wallVelocity,
-    const scalar viscosity,
+    const cellViscosity& viscosity,
     const scalar eigenvalue
 ) const
 {
@@ -209,7 +213,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
            *pf.patch().magSf()*open.boundaryField()[patchi];
     }
     fadeOnPatches(lost, ofCut, gradient, p, flux);
-    setFilmFluxes(inFilms, history, viscosity, flux);
+    setFilmFluxes(inFilms, history, viscosity.least, flux);
     return tflux;
 }
 

@@ -9,16 +9,17 @@
 Foam::scalarField Foam::fsi::immersedFlux::fadingInStep
 (
     const volVectorField& U,
-    const scalar viscosity
+    const cellViscosity& viscosity
 ) const
 {
     const scalar h = geometry_.grid().spacing();
     const scalar deltaT = rule_.length().tau;
-    const scalar viscous = viscosity*sqr(constant::mathematical::pi/h);
+    const scalar perViscosity = sqr(constant::mathematical::pi/h);
 
     scalarField fading(U.size());
     forAll(fading, celli)
     {
+        const scalar viscous = viscosity[celli]*perViscosity;
         fading[celli] = deltaT*(viscous + mag(U[celli])/h);
     }
     return fading;
@@ -84,7 +85,7 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
     const surfaceScalarField& phi,
     const volVectorField& U,
     const vectorField& wallVelocity,
-    const scalar viscosity
+    const cellViscosity& viscosity
 )
 {
     const tmp<surfaceScalarField> tinterpolated

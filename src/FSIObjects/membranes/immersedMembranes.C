@@ -78,7 +78,8 @@ void Foam::fsi::immersedMembranes::carry
 Foam::fsi::immersedMembranes::immersedMembranes
 (
     const fsiObjects& objects,
-    const interfaceGeometry& geometry
+    const interfaceGeometry& geometry,
+    fluidViscosity& viscosity
 )
 :
     objects_(objects),
@@ -86,7 +87,8 @@ Foam::fsi::immersedMembranes::immersedMembranes
     geometry_(geometry),
     fluid_(objects.fluid()),
     gravity_(objects.gravity()),
-    width_(readKernel(objects.properties().subOrEmptyDict("membranes")))
+    width_(readKernel(objects.properties().subOrEmptyDict("membranes"))),
+    viscosity_(viscosity)
 {
     bool any = false;
     for (const bodyGroup& group : bodies_.groups())
@@ -113,10 +115,7 @@ Foam::fsi::immersedMembranes::immersedMembranes
     }
     if (viscosityContrast::wanted(bodies_, fluid_))
     {
-        contrast_.reset
-        (
-            new viscosityContrast(bodies_, geometry, *faces_, fluid_)
-        );
+        contrast_.reset(new viscosityContrast(*faces_, fluid_));
     }
 }
 
@@ -162,7 +161,7 @@ void Foam::fsi::immersedMembranes::spread
     }
     if (contrast_.valid())
     {
-        contrast_->update(bodies_);
+        contrast_->update(bodies_, viscosity_);
     }
 }
 
@@ -173,9 +172,9 @@ void Foam::fsi::immersedMembranes::addTo(fvVectorMatrix& UEqn) const
     {
         UEqn.source() += force_;
     }
-    if (contrast_.valid())
+    if (contrast_.valid() && !viscosity_.hasLaw())
     {
-        contrast_->add(UEqn);
+        viscosity_.addTo(UEqn);
     }
 }
 
@@ -190,12 +189,10 @@ void Foam::fsi::immersedMembranes::correctPressure
     if (active())
     {
         // A larger viscosity inside would make short waves grow
-        scalarField nu(p.size(), fluid_.viscosity);
-        if (contrast_.valid())
-        {
-            nu += min(contrast_->more(), scalar(0));
-        }
-        addRotationalPart(geometry_, nu, last, step.tau, p);
+        addRotationalPart
+        (
+            geometry_, viscosity_.smaller(), last, step.tau, p
+        );
     }
 }
 

@@ -89,6 +89,39 @@ void Foam::fsi::setCopyLinks
 }
 
 
+Foam::scalarField Foam::fsi::meanViscosities
+(
+    const population& bodies,
+    const interfaceGeometry& geometry
+)
+{
+    const surfaceSet& surfaces = bodies.surfaces();
+    scalarField links(surfaces.points().size(), Zero), viscosities(links);
+    for (const wallLink& link : geometry.wallLinks())
+    {
+        link.place.spread(links, 1.0);
+        link.place.spread(viscosities, link.viscosity);
+    }
+    typedef objectRanks::values values;
+    bodies.ranks().collect
+    (
+        {values::ofNodes(links), values::ofNodes(viscosities)}
+    );
+    scalarField mean(bodies.size(), 1.0);
+    forAll(mean, objecti)
+    {
+        const label start = surfaces.pointStart()[objecti];
+        const label n = surfaces.pointStart()[objecti + 1] - start;
+        const scalar all = sum(SubField<scalar>(links, n, start));
+        if (all > 0)
+        {
+            mean[objecti] = sum(SubField<scalar>(viscosities, n, start))/all;
+        }
+    }
+    return mean;
+}
+
+
 void Foam::fsi::addLinkForce
 (
     const interfaceGeometry& geometry,

@@ -96,6 +96,7 @@ void Foam::fsi::momentumMultigrid::correct(redBlackMatrix& matrix)
 bool Foam::fsi::momentumMultigrid::pays
 (
     const population& bodies,
+    const fluidProperties& fluid,
     const redBlackMatrix& matrix
 )
 {
@@ -108,7 +109,10 @@ bool Foam::fsi::momentumMultigrid::pays
     }
     // 1.5 is the factor for dt nu/h^2 of 3 in three dimensions. Some 20 sweeps
     // take as long as a solution by multigrid
-    return matrix.relaxation() > 1.5;
+    const scalar ofDiffusion =
+        2/(1 + Foam::sqrt(max(1 - sqr(matrix.radii()[0]), 0.0)));
+    return
+        (fluid.shearDependent() ? ofDiffusion : matrix.relaxation()) > 1.5;
 }
 
 

@@ -8,15 +8,20 @@ Foam::scalar Foam::fsi::overRelaxation::better(const scalar rate) const
 {
     const scalar mu2 = sqr(rate + factor_ - 1)/(sqr(factor_)*rate);
     const scalar best =
-        mu2 < 1 ? 2/(1 + Foam::sqrt(1 - mu2)) : scalar(largest_);
-    return min(best, scalar(largest_));
+        mu2 < 1 ? 2/(1 + Foam::sqrt(1 - mu2)) : largest_;
+    return min(best, largest_);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::overRelaxation::start(const scalar smallest)
+void Foam::fsi::overRelaxation::start
+(
+    const scalar smallest,
+    const scalar largest
+)
 {
+    largest_ = min(largest, 1.95);
     smallest_ = min(smallest, scalar(largestStart_));
     factor_ = smallest_;
     residual_ = 0;

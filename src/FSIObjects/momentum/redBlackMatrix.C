@@ -87,16 +87,15 @@ void Foam::fsi::redBlackMatrix::setDiagonal
 
 void Foam::fsi::redBlackMatrix::setRelaxation()
 {
-    scalarList largest(2, Zero);
+    radii_ = Zero;
     forAll(symmetric_, celli)
     {
         const scalar d = diagonal_[nDims_*order_.rowOf()[celli]];
-        largest[0] = max(largest[0], symmetric_[celli]/d);
-        largest[1] = max(largest[1], antisymmetric_[celli]/d);
+        radii_[0] = max(radii_[0], symmetric_[celli]/d);
+        radii_[1] = max(radii_[1], antisymmetric_[celli]/d);
     }
-    combineOverRanks(largest, maxEqOp<scalar>());
-    jacobiRadius_ = largest[0];
-    const scalar squares = max(1 - sqr(largest[0]), 0.0) + sqr(largest[1]);
+    combineOverRanks(radii_, maxEqOp<scalar>());
+    const scalar squares = max(1 - sqr(radii_[0]), 0.0) + sqr(radii_[1]);
     relaxation_ = 2/(1 + Foam::sqrt(squares));
 }
 
@@ -123,7 +122,7 @@ Foam::fsi::redBlackMatrix::redBlackMatrix(const cartesianMesh& grid)
     firstResidual_(0),
     lastResidual_(0),
     relaxation_(1),
-    jacobiRadius_(0)
+    radii_(2, Zero)
 {}
 
 

@@ -146,7 +146,7 @@ Foam::scalar Foam::fsi::redBlackMatrix::dropAtOnce() const
     // it nothing shows
     const scalar rounding =
         std::numeric_limits<floatScalar>::epsilon()
-       /max(1 - jacobiRadius_, SMALL);
+       /max(1 - radii_[0], SMALL);
     return min(30*rounding, scalar(0.1));
 }
 

@@ -18,6 +18,7 @@ static void forShortWaves
     const population& bodies,
     const fluidProperties& fluid,
     const scalar thickness,
+    const scalarField& relative,
     const Action& action
 )
 {
@@ -43,11 +44,12 @@ static void forShortWaves
                 fluid.shortWaveStress*four.friction(fluid.dynamicViscosity());
             for (label copyi = 0; copyi < group.size(); ++copyi)
             {
+                const label objecti = bodies.objectIndex(groupi, copyi);
                 action
                 (
-                    bodies.objectIndex(groupi, copyi),
+                    objecti,
                     four,
-                    friction
+                    relative.empty() ? friction : friction*relative[objecti]
                 );
             }
         }
@@ -65,6 +67,7 @@ void Foam::fsi::addShortWaves
     const population& bodies,
     const fluidProperties& fluid,
     const scalar thickness,
+    const scalarField& relative,
     viscousResponse::copyLinks& links
 )
 {
@@ -73,6 +76,7 @@ void Foam::fsi::addShortWaves
         bodies,
         fluid,
         thickness,
+        relative,
         [&](const label objecti, const auto& four, const scalar friction)
         {
             links[objecti].push_back({four.nodes, four.difference, friction});
@@ -86,6 +90,7 @@ void Foam::fsi::addShortWaveForce
     const population& bodies,
     const fluidProperties& fluid,
     const scalar thickness,
+    const scalarField& relative,
     const vectorField& v,
     vectorField& force
 )
@@ -96,6 +101,7 @@ void Foam::fsi::addShortWaveForce
         bodies,
         fluid,
         thickness,
+        relative,
         [&](const label objecti, const auto& four, const scalar friction)
         {
             four.addForce(start[objecti], friction, v, force);

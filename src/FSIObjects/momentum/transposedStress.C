@@ -142,7 +142,8 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
     const surfaceSet& surfaces,
     const interfaceGeometry& geometry,
     const scalar viscosity,
-    const objectRanks& ranks
+    const objectRanks& ranks,
+    const scalarField& relative
 )
 {
     const direction nDims = surfaces.nDims();
@@ -170,7 +171,10 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
             SubField<scalar>(weights, n, start),
             nDims
         );
-        const scalar strength = Foam::sqrt(viscosity*volume);
+        const scalar strength = Foam::sqrt
+        (
+            viscosity*volume*(relative.empty() ? 1 : relative[objecti])
+        );
         const tensor factor
         (
             nodes.linearField(0.5*nDims/(nDims - 1)*conductance/volume)
@@ -190,6 +194,44 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
 Foam::label Foam::fsi::nRotations(const direction nDims)
 {
     return nDims == 2 ? 1 : 3;
+}
+
+
+void Foam::fsi::setTransposedStress
+(
+    const population& bodies,
+    const interfaceGeometry& geometry,
+    const fluidProperties& fluid,
+    const scalarField& relative,
+    std::vector<transposedMode>& rotations,
+    vectorField& strainForce
+)
+{
+    rotations.clear();
+    const surfaceSet& surfaces = bodies.surfaces();
+    strainForce.setSize(surfaces.points().size());
+    strainForce = Zero;
+    if (bodies.onlyMembranes())
+    {
+        return;
+    }
+    std::vector<transposedMode> strains;
+    const auto modes = transposedModes
+    (
+        surfaces, geometry,
+        fluid.dynamicViscosity()*geometry.grid().thickness(),
+        bodies.ranks(),
+        relative
+    );
+    for (const transposedMode& mode : modes)
+    {
+        (mode.sign > 0 ? rotations : strains).push_back(mode);
+    }
+
+    addTransposedForce
+    (
+        strains, surfaces.pointStart(), surfaces.velocities(), strainForce
+    );
 }
 
 

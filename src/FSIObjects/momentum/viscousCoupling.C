@@ -28,35 +28,6 @@ Foam::fsi::viscousCoupling::viscousCoupling
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::viscousCoupling::updateTransposedStress()
-{
-    transposed_.clear();
-    const surfaceSet& surfaces = bodies_.surfaces();
-    strainForce_.setSize(surfaces.points().size());
-    strainForce_ = Zero;
-    if (bodies_.onlyMembranes())
-    {
-        return;
-    }
-    std::vector<transposedMode> strains;
-    const auto modes = transposedModes
-    (
-        surfaces, geometry_,
-        fluid_.dynamicViscosity()*geometry_.grid().thickness(),
-        bodies_.ranks()
-    );
-    for (const transposedMode& mode : modes)
-    {
-        (mode.sign > 0 ? transposed_ : strains).push_back(mode);
-    }
-
-    addTransposedForce
-    (
-        strains, surfaces.pointStart(), surfaces.velocities(), strainForce_
-    );
-}
-
-
 void Foam::fsi::viscousCoupling::updateResponses
 (
     const stepLength& step,
@@ -67,9 +38,19 @@ void Foam::fsi::viscousCoupling::updateResponses
     (
         bodies_, geometry_, fluid_.dynamicViscosity(), copyLinks_
     );
-    addShortWaves(bodies_, fluid_, geometry_.grid().thickness(), copyLinks_);
+    if (fluid_.shearDependent())
+    {
+        relative_ = meanViscosities(bodies_, geometry_);
+    }
+    addShortWaves
+    (
+        bodies_, fluid_, geometry_.grid().thickness(), relative_, copyLinks_
+    );
 
-    updateTransposedStress();
+    setTransposedStress
+    (
+        bodies_, geometry_, fluid_, relative_, transposed_, strainForce_
+    );
     List<std::vector<Eigen::MatrixXd>> resisting(bodies_.groups().size());
     nodeLayout::groupNodal nodal;
     for (const transposedMode& mode : transposed_)

@@ -25,7 +25,8 @@ void Foam::fsi::viscousCoupling::finish
     force = all.collect(bodies_.ranks());
     addShortWaveForce
     (
-        bodies_, fluid_, geometry_.grid().thickness(), nodalVelocity_, force
+        bodies_, fluid_, geometry_.grid().thickness(), relative_,
+        nodalVelocity_, force
     );
     force += strainForce_;
     addTransposedForce
@@ -62,7 +63,10 @@ void Foam::fsi::viscousCoupling::sweep
     setWalls(v);
     const scalar norm = matrix_.sourceNorm() + VSMALL;
     startCorrection(norm);
-    relaxation_.start(matrix_.relaxation());
+    // Cells with little viscosity may be beside others with much of it
+    const scalar largest =
+        fluid_.shearDependent() ? 2/(1 + matrix_.radii()[1]) : 2;
+    relaxation_.start(matrix_.relaxation(), largest);
     do
     {
         if (matrix_.exhausted())
@@ -114,7 +118,7 @@ void Foam::fsi::viscousCoupling::solve
     );
     setWalls(boundary);
     films_.set(geometry_.betweenSurfaces(), fluid_.viscosity, nodalVelocity_);
-    if (momentumMultigrid::pays(bodies_, matrix_))
+    if (momentumMultigrid::pays(bodies_, fluid_, matrix_))
     {
         multigrid_.solve(UEqn, matrix_, result);
     }

@@ -43,6 +43,14 @@ Foam::fsi::rheology::rheology(const fsiObjects& objects)
 {
     label nWalls = 0;
     bool closed = true;
+    if (objects.fluid().viscosity <= 0)
+    {
+        FatalIOErrorInFunction(objects.properties())
+            << "Entry 'rheology' of 'output' in "
+            << objects.properties().name() << " is for a Newtonian fluid, whose"
+            << " viscosity nu is in constant/transportProperties"
+            << exit(FatalIOError);
+    }
     for (direction d = 0; d < objects.grid().nDims(); ++d)
     {
         if

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidStep.H"
+#include "exchangeFields.H"
 #include "fieldChecks.H"
 #include "motionCheck.H"
 #include "newCells.H"
@@ -8,36 +9,6 @@
 #include "solidVelocity.H"
 #include "stockInput.H"
 #include "fvMatrices.H"
-
-// * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Exchange the values of two fields without a copy of those inside
-static void exchange(surfaceScalarField& a, surfaceScalarField& b)
-{
-    scalarField& ofA = a.primitiveFieldRef();
-    scalarField& ofB = b.primitiveFieldRef();
-    scalarField kept;
-    kept.transfer(ofA);
-    ofA.transfer(ofB);
-    ofB.transfer(kept);
-    forAll(a.boundaryField(), patchi)
-    {
-        scalarField& patchOfA = a.boundaryFieldRef()[patchi];
-        scalarField& patchOfB = b.boundaryFieldRef()[patchi];
-        const scalarField last(patchOfA);
-        patchOfA = patchOfB;
-        patchOfB = last;
-    }
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -81,6 +52,7 @@ Foam::fsi::fluidStep::fluidStep
     phi_(flow.phi),
     wall_(wallTreatment::New(objects.properties())),
     geometry_(objects.grid(), *wall_),
+    viscosity_(objects, geometry_, flow.law),
     walls_(geometry_, objects.bodies().ranks()),
     faces_(geometry_),
     rule_(U_.mesh()),
@@ -90,7 +62,7 @@ Foam::fsi::fluidStep::fluidStep
     level_(p_, objects.grid())
 {
     immersedMomentum::interpolation(phi_);
-    stockInput::checkFluid(U_.mesh());
+    stockInput::checkFluid(U_.mesh(), flow.law);
     objects.contact().leaveFilmsToFlow(geometry_.seesFilms(objects.levelSet()));
     updateGeometry();
     fieldChecks::check(p_, U_, objects.bodies(), objects.sides(), geometry_);
@@ -184,6 +156,10 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::fluidStep::momentum
         )
     );
     scalars_->addBuoyancy(tUEqn.ref().source());
+    if (viscosity_.hasLaw())
+    {
+        viscosity_.addTo(tUEqn.ref());
+    }
     sources.apply(tUEqn.ref(), U_);
     momentum_.constrain(tUEqn.ref());
     return tUEqn;
@@ -226,13 +202,13 @@ void Foam::fsi::fluidStep::setFlux
     (
         flux_.faceFlux
         (
-            U_, gradP, p, wallVelocity, objects_.fluid().viscosity, eigenvalue
+            U_, gradP, p, wallVelocity, viscosity_.around(), eigenvalue
         )
     );
     if (&convectiveFlux() == &phi_)
     {
         // Further passes of Euler convect with the old one
-        exchange(phi_, tnew.ref());
+        exchangeFields(phi_, tnew.ref());
         convectiveFlux = tnew;
     }
     else
@@ -249,7 +225,7 @@ void Foam::fsi::fluidStep::finishFluid
 )
 {
     const stepTimer::section fluid(objects_.timer(), stepTimer::part::fluid);
-    flux_.storeFaceVelocity(phi_, U_, wallVelocity, objects_.fluid().viscosity);
+    flux_.storeFaceVelocity(phi_, U_, wallVelocity, viscosity_.around());
     error_.measure
     (
         U_, geometry_.fluidCell(), ofSplitting, objects_.restSpeed()

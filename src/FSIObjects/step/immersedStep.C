@@ -44,7 +44,7 @@ Foam::fsi::immersedStep::immersedStep
         objects.bodies(), geometry_, objects.levelSet(),
         objects.fluid().density
     ),
-    membranes_(objects, geometry_)
+    membranes_(objects, geometry_, viscosity_)
 {
     checkKeys(dict, {"type", "passes", "passTolerance"});
 }
@@ -64,6 +64,8 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
         objects_.expect(rule_);
         moveWalls();
     }
+
+    viscosity_.update(U_, phi_);
 
     // Objects as if alone, with the last load of the fluid
     groupNodal force(objects_.forces(step()));
@@ -130,12 +132,8 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
         (
             IOobject
             (
-                p_.name(),
-                nameOf(p_.mesh().time()),
-                p_.mesh(),
-                IOobject::NO_READ,
-                IOobject::NO_WRITE,
-                false
+                p_.name(), nameOf(p_.mesh().time()), p_.mesh(),
+                IOobject::NO_READ, IOobject::NO_WRITE, false
             ),
             p_
         )

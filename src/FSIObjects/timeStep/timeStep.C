@@ -49,7 +49,10 @@ static scalar largestRate(const surfaceScalarField& phi)
 static scalar diffusionRate(const fsiObjects& objects)
 {
     const cartesianMesh& grid = objects.grid();
-    return objects.fluid().viscosity*grid.nDims()/sqr(grid.spacing());
+    const fluidProperties& fluid = objects.fluid();
+    return
+        max(fluid.viscosity, fluid.largestViscosity)
+       *grid.nDims()/sqr(grid.spacing());
 }
 
 } // End namespace fsi

@@ -45,6 +45,13 @@ Foam::fsi::weakStep::weakStep
         dict,
         {"type", "load", "subIterations", "tolerance", "relaxation"}
     );
+    if (flow.law)
+    {
+        FatalIOErrorInFunction(objects.properties())
+            << "Coupling " << type() << " is for Newtonian fluids, but the"
+            << " viscosity is of the model " << flow.law->name() << ": take the"
+            << " coupling solidImplicit" << exit(FatalIOError);
+    }
     if (rule_.secondOrder() && objects.bodies().size())
     {
         FatalIOErrorInFunction(objects.properties())

@@ -20,8 +20,16 @@ ONE = "one { type listed; shape disc; objects ({ centre (0.5 0.6 0); }); }"
 # File, text, what the refusal names
 REFUSED = {
     "viscosity": ("constant/transportProperties",
-                  "transportModel BirdCarreau; nu 0.01;",
-                  ["transportModel", "BirdCarreau"]),
+                  "transportModel BirdCareau; nu 0.01;",
+                  ["transportModel", "transportProperties", "BirdCareau",
+                   "BirdCarreau", "Newtonian", "powerLaw"]),
+    "coefficients": ("constant/transportProperties",
+                     "transportModel BirdCarreau; nu 0.01;",
+                     ["transportProperties", "nu0"]),
+    "negativeViscosity": ("constant/transportProperties",
+                          "transportModel BirdCarreau; BirdCarreauCoeffs "
+                          "{ nu0 -1; nuInf -1; k 1; n 0.5; }",
+                          ["transportProperties", "BirdCarreau", "must be"]),
     "turbulence": ("constant/turbulenceProperties",
                    "simulationType RAS; RAS { RASModel kEpsilon; }",
                    ["simulationType", "RAS", "laminar"]),

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "viscosityContrast.H"
+#include "fluidViscosity.H"
+#include "insideFraction.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::viscosityContrast::moreInside
+(
+    const shapeTemplate& shape
+) const
+{
+    const scalar inside = shape.sheet()->innerViscosity;
+    return inside > 0 ? inside/fluid_.density - fluid_.viscosity : 0;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::viscosityContrast::viscosityContrast
+(
+    const faceLattice& faces,
+    const fluidProperties& fluid
+)
+:
+    faces_(faces),
+    fluid_(fluid)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::viscosityContrast::wanted
+(
+    const population& bodies,
+    const fluidProperties& fluid
+)
+{
+    for (const bodyGroup& group : bodies.groups())
+    {
+        const scalar inside =
+            group.hasWalls() ? 0 : group.shape().sheet()->innerViscosity;
+        if
+        (
+            inside > 0
+         && mag(inside - fluid.dynamicViscosity())
+          > 1e-9*fluid.dynamicViscosity()
+        )
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+void Foam::fsi::viscosityContrast::update
+(
+    const population& bodies,
+    fluidViscosity& viscosity
+) const
+{
+    scalar least = 0;
+    for (const bodyGroup& group : bodies.groups())
+    {
+        if (!group.hasWalls())
+        {
+            least = min(least, moreInside(group.shape()));
+        }
+    }
+    const staggeredLattice& lattice = faces_.lattice();
+    insideFraction scan(lattice);
+    scalarField fraction(lattice.size(), Zero), more(fraction);
+    const surfaceSet& surfaces = bodies.surfaces();
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (surfaces.hasWalls(objecti))
+        {
+            continue;
+        }
+        const shapeTemplate& shape = bodies.shape(bodies.objectGroup(objecti));
+        if (viscosity.hasLaw() && shape.sheet()->innerViscosity <= 0)
+        {
+            continue;
+        }
+        const label start = surfaces.pointStart()[objecti];
+        scan.add
+        (
+            SubList<point>(surfaces.points(), shape.nNodes(), start),
+            shape.faces(),
+            moreInside(shape),
+            fraction,
+            more
+        );
+    }
+    const labelUList& place = faces_.placeOfCells();
+    scalarField insideCells(place.size()), moreInCells(place.size());
+    forAll(place, celli)
+    {
+        const scalar inside = max(fraction[place[celli]], scalar(1));
+        insideCells[celli] = fraction[place[celli]]/inside;
+        moreInCells[celli] = more[place[celli]]/inside;
+    }
+    viscosity.setInside(insideCells, moreInCells, least);
+}
+
+
+// ************************************************************************* //
