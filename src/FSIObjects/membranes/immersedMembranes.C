@@ -189,10 +189,7 @@ void Foam::fsi::immersedMembranes::correctPressure
     if (active())
     {
         // A larger viscosity inside would make short waves grow
-        addRotationalPart
-        (
-            geometry_, viscosity_.smaller(), last, step.tau, p
-        );
+        addRotationalPart(geometry_, viscosity_.smaller(), last, step.tau, p);
     }
 }
 
