@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The thesis's scenario 2 in three dimensions, as a case of any size: spheres
-above a fixed one in a unit cube, inflow at the top, Re 1000.
+above a fixed one in a unit cube, inflow at the top, Re 1000. The thesis does
+not tell the size of its spheres; here it is one in cells.
 
-The thesis does not tell the size of its spheres; here it is one in cells.
+And red cells between plates that shear.
 """
+
+import os
 
 import fsiCase
 import scenarios
@@ -53,3 +56,30 @@ class Falling(fsiCase.Case):
         other = scenarios.Stock(path, self)
         other.run("blockMesh")
         return other
+
+
+class RedCells(fsiCase.Case):
+    """Red cells of contrast 5 on 29 % of a box of width^2 x 2 width cells of
+    half a micrometre, between plates that shear it at 500/s; steps of 5 us."""
+
+    def __init__(self, path, width, steps):
+        h, step = 0.5e-6, 5e-6
+        self.size = (width, width, 2*width)
+        self.objects = round(768*(width/100)**3)
+        lid = 250*h*width
+        preset = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                              "../../etc/caseDicts/redCell")
+        super().__init__(
+            path, box=(0, 0, 0, *(n*h for n in self.size)), cells=self.size,
+            viscosity=1.2e-6, density=1025, cyclic="xz",
+            walls={"bottom": f"({-lid:g} 0 0)", "top": f"({lid:g} 0 0)"},
+            properties="membranes { kernel 2; }\n"
+                       "contact { law { type none; } }\n",
+            shapes="cell { shape { type biconcave; radius 3.91e-6; } "
+                   f'material {{ #include "{preset}" }} }}\n',
+            placements="cells { type packed; shape cell; number "
+                       f"{self.objects}; seed 1; start small; }}\n",
+            p_tolerance=1e-6, U_tolerance=1e-5,
+            deltaT=step, endTime=step*(steps + 0.5), timePrecision=10,
+            writeFormat="binary",
+        )

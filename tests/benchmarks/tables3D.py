@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables in three dimensions: table6.3, table6.4, stock3D, bodies3D."""
+"""Tables in three dimensions: table6.3, table6.4, stock3D, bodies3D,
+redCells."""
 
 import os
 
@@ -20,7 +21,10 @@ STOCK = (2, 10, 49)
 # Cells across a body, and of the cube that eight of them are in
 BODIES = ((8, 64), (12, 80), (16, 96))
 
-NAMES = (*THESIS, "stock3D", "bodies3D")
+# Cells across the box of red cells
+RED_CELLS = (50, 100)
+
+NAMES = (*THESIS, "stock3D", "bodies3D", "redCells")
 
 
 def row(tables, width, objects, across=12):
@@ -80,8 +84,28 @@ def bodies(tables):
     return rows
 
 
+def red_cells(tables):
+    """Core-seconds per simulated millisecond and cell, bytes per mesh cell."""
+    rows = []
+    for width in RED_CELLS:
+        name = f"redCells-{width}"
+        if tables.left_out(name, 2*width**3):
+            continue
+        case = scenarios3D.RedCells(os.path.join(tables.folder, name), width,
+                                    tables.options.steps)
+        found = {"N": width, "objects": case.objects,
+                 **tables.measured(case, 2*width**3)}
+        found["bytes per cell"] = found["MiB"]*2**20/(2*width**3)
+        found["s per ms and cell"] = (
+            found["seconds/step"]*1e-3/case.controls["deltaT"]/case.objects)
+        rows.append(found)
+    return rows
+
+
 def table(tables, name):
     """One of the tables by its name."""
+    if name == "redCells":
+        return red_cells(tables)
     if name == "stock3D":
         return stock(tables)
     if name == "bodies3D":
