@@ -79,7 +79,7 @@ class RedCells(fsiCase.Case):
                    f'material {{ #include "{preset}" }} }}\n',
             placements="cells { type packed; shape cell; number "
                        f"{self.objects}; seed 1; start small; }}\n",
-            p_tolerance=1e-6, U_tolerance=1e-5,
+            p_tolerance=1e-4, U_tolerance=1e-3,
             deltaT=step, endTime=step*(steps + 0.5), timePrecision=10,
             writeFormat="binary",
         )

@@ -124,15 +124,18 @@ void Foam::fsi::cartesianMesh::setIndices()
 }
 
 
-void Foam::fsi::cartesianMesh::setFaceCorners()
+void Foam::fsi::cartesianMesh::setFirstCorners()
 {
     const vectorField& faceAreas = mesh_.faceAreas();
     const labelList& owner = mesh_.faceOwner();
     const cartesianBlock block(corners());
     const scalar area = faceArea();
 
-    faceCorners_.setSize(mesh_.nFaces(), FixedList<label, 4>(-1));
-    forAll(faceCorners_, facei)
+    cornerStride_ =
+        labelVector(block.stride(0), block.stride(1), block.stride(2));
+    firstCorner_.setSize(mesh_.nFaces());
+    firstCorner_ = -1;
+    forAll(firstCorner_, facei)
     {
         const vector& S = faceAreas[facei];
         if (nDims_ == 2 && mag(S.z()) > 0.5*mag(S))
@@ -148,7 +151,7 @@ void Foam::fsi::cartesianMesh::setFaceCorners()
             refuse(owner[facei], "one of its faces is skewed or stretched");
         }
 
-        label nCorners = 0;
+        label first = labelMax;
         for (const label pointi : mesh_.faces()[facei])
         {
             const vector s((mesh_.points()[pointi] - origin_)/spacing_);
@@ -162,8 +165,9 @@ void Foam::fsi::cartesianMesh::setFaceCorners()
                 }
                 ijk.z() = 0;
             }
-            faceCorners_[facei][nCorners++] = block.index(ijk - start_);
+            first = min(first, block.index(ijk - start_));
         }
+        firstCorner_[facei] = first;
     }
 }
 
@@ -193,7 +197,7 @@ Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
 {
     setSpacing();
     setIndices();
-    setFaceCorners();
+    setFirstCorners();
     setFaceDirections();
     setCoupledFaces();
 }

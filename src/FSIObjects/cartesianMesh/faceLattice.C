@@ -30,21 +30,22 @@ void Foam::fsi::faceLattice::setPlaces()
 {
     const fvMesh& mesh = grid_.mesh();
     const cartesianBlock cells(grid_.cells());
-    sides_.setSize(mesh.nCells());
     placeOfCell_.setSize(mesh.nCells());
-    forAll(sides_, celli)
+    wraps_.setSize(mesh.nCells());
+    forAll(placeOfCell_, celli)
     {
         const labelVector ijk
         (
             cells.ijk(grid_.blockIndex()[celli]) + cells.start()
         );
         placeOfCell_[celli] = lattice_.place(ijk);
+        wraps_[celli] = 0;
         for (direction d = 0; d < grid_.nDims(); ++d)
         {
-            labelVector above(ijk);
-            ++above[d];
-            sides_[celli][2*d] = placeOfCell_[celli];
-            sides_[celli][2*d + 1] = lattice_.place(above);
+            const bool last =
+                lattice_.cyclic[d] && lattice_.n[d] == lattice_.all[d]
+             && ijk[d] == lattice_.start[d] + lattice_.n[d] - 1;
+            wraps_[celli] |= last << d;
         }
     }
 
@@ -54,8 +55,7 @@ void Foam::fsi::faceLattice::setPlaces()
     {
         const label celli = mesh.faceOwner()[facei];
         const bool along = grid_.faceAlong(facei);
-        place_[facei] =
-            sides_[celli][2*grid_.faceDirection(facei) + label(along)];
+        place_[facei] = side(celli, grid_.faceDirection(facei), along);
 
         // On coupled patches the cell above the face has it
         const label patchi =

@@ -36,13 +36,13 @@ void Foam::fsi::faceLattice::addLines
         lineAt[component].insert(at, lines_.size());
         lines_.append(l);
     };
-    add(d, sides_[celli][2*d + label(up)]);
+    add(d, side(celli, d, up));
     for (direction t = 0; t < lattice_.nDims; ++t)
     {
         if (t != d)
         {
-            add(t, sides_[celli][2*t]);
-            add(t, sides_[celli][2*t + 1]);
+            add(t, side(celli, t, false));
+            add(t, side(celli, t, true));
         }
     }
 }
@@ -173,8 +173,8 @@ void Foam::fsi::faceLattice::setCells
             v[l.inside[i]] += given ? -beyond : beyond;
         }
     }
-    cells.setSize(sides_.size());
-    forAll(sides_, celli)
+    cells.setSize(placeOfCell_.size());
+    forAll(placeOfCell_, celli)
     {
         cells[celli] = Zero;
         for (direction d = 0; d < lattice_.nDims; ++d)
@@ -182,8 +182,8 @@ void Foam::fsi::faceLattice::setCells
             cells[celli][d] =
                 0.5
                *(
-                    values[d][sides_[celli][2*d]]
-                  + values[d][sides_[celli][2*d + 1]]
+                    values[d][side(celli, d, false)]
+                  + values[d][side(celli, d, true)]
                 );
         }
     }

@@ -97,6 +97,10 @@ void Foam::fsi::objectContact::setNodes()
     forAll(bodies_.groups(), groupi)
     {
         const bodyGroup& group = bodies_.groups()[groupi];
+        if (!group.hasWalls())
+        {
+            continue;
+        }
         if (!groups_[groupi])
         {
             groups_[groupi].reset(new groupContact(group, contact_.range()));
@@ -140,13 +144,16 @@ void Foam::fsi::objectContact::setBodies()
     const List<labelList> objects(objectsOfGroups(bodies_.size()));
     forAll(groups_, groupi)
     {
-        groups_[groupi]->setResponse
-        (
-            surfaces(),
-            objects[groupi],
-            contact_.needsInternalForces(),
-            nodes_
-        );
+        if (groups_[groupi])
+        {
+            groups_[groupi]->setResponse
+            (
+                surfaces(),
+                objects[groupi],
+                contact_.needsInternalForces(),
+                nodes_
+            );
+        }
     }
 }
 

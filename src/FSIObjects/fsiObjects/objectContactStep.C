@@ -61,7 +61,7 @@ void Foam::fsi::objectContact::push
     const stepLength& step
 )
 {
-    if (!explicitForces())
+    if (!explicitForces() && !(bodies_.onlyMembranes() && !keepsForces_))
     {
         calculate(lessStandstill(v.surface(), step), step);
         respond(force_, v);
@@ -75,6 +75,10 @@ void Foam::fsi::objectContact::limit
     const stepLength& step
 )
 {
+    if (bodies_.onlyMembranes())
+    {
+        return;
+    }
     vectorField limiting;
     const label nPushed = contact_.limit
     (

@@ -71,11 +71,15 @@ void Foam::fsi::cutConvection::setCells
     scalarField& net
 ) const
 {
+    net.setSize(cells_.size());
+    if (cells_.empty())
+    {
+        return;
+    }
     const lduAddressing& address = flux.mesh().lduAddr();
     const labelUList& firstOwned = address.ownerStartAddr();
     const labelUList& firstOther = address.losortStartAddr();
     const labelUList& others = address.losortAddr();
-    net.setSize(cells_.size());
     forAll(cells_, i)
     {
         const label celli = cells_[i];

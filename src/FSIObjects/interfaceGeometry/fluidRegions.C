@@ -2,6 +2,7 @@
 
 #include "fluidRegions.H"
 #include "sharedPatches.H"
+#include "globalMeshData.H"
 #include "regionSplit.H"
 #include "sumOverRanks.H"
 
@@ -14,9 +15,23 @@ void Foam::fsi::fluidRegions::number()
 {
     const fvMesh& mesh = geometry_.grid().mesh();
     boolList blocked(mesh.nFaces(), false);
+    bool any = false;
     forAll(blocked, facei)
     {
         blocked[facei] = geometry_.openness()[facei] <= 0;
+        any = any || blocked[facei];
+    }
+    const labelVector& n = geometry_.grid().globalN();
+    if
+    (
+        mesh.globalData().nTotalCells() == n.x()*n.y()*n.z()
+     && !overRanks(any, orOp<bool>())
+    )
+    {
+        // A whole box; regionSplit would need a list of each cell's faces
+        nRegions_ = 1;
+        region_ = 0;
+        return;
     }
     const regionSplit regions(mesh, blocked);
     std::set<label> here;

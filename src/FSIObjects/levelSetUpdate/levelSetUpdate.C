@@ -95,6 +95,15 @@ void Foam::fsi::levelSetUpdate::setNearest(const surfaceSet& surfaces)
 
 void Foam::fsi::levelSetUpdate::setFromSurfaces(const surfaceSet& surfaces)
 {
+    if (!surfaces.anyWalls() && !centreSamples_.used())
+    {
+        // Samples take more memory than the distances
+        cellDistance_.setSize(grid_.cells(1).size());
+        cornerDistance_.setSize(grid_.corners().size());
+        cellDistance_ = bandWidth();
+        cornerDistance_ = bandWidth();
+        return;
+    }
     centreSamples_.swapDistance(cellDistance_);
     cornerSamples_.swapDistance(cornerDistance_);
 

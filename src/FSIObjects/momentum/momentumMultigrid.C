@@ -38,10 +38,15 @@ void Foam::fsi::momentumMultigrid::update
 )
 {
     lduMatrix symmetric(equation.mesh());
-    symmetric.upper() = equation.upper();
+    scalarField& upper = symmetric.upper();
+    upper = equation.upper();
     if (equation.hasLower())
     {
-        symmetric.upper() = 0.5*(equation.upper() + equation.lower());
+        const scalarField& lower = equation.lower();
+        forAll(upper, facei)
+        {
+            upper[facei] = 0.5*(upper[facei] + lower[facei]);
+        }
     }
     scalarField& diagonal = symmetric.diag();
     diagonal.setSize(matrix.nRows());

@@ -30,6 +30,31 @@ void Foam::fsi::cartesianMap::refuse(const string& reason) const
 }
 
 
+Foam::boundBox Foam::fsi::cartesianMap::firstCell() const
+{
+    boundBox box(boundBox::invertedBox);
+    forAll(mesh_.faces(), facei)
+    {
+        if
+        (
+            mesh_.faceOwner()[facei] == 0
+         || (
+                facei < mesh_.nInternalFaces()
+             && mesh_.faceNeighbour()[facei] == 0
+            )
+        )
+        {
+            for (const label pointi : mesh_.faces()[facei])
+            {
+                box.min() = min(box.min(), mesh_.points()[pointi]);
+                box.max() = max(box.max(), mesh_.points()[pointi]);
+            }
+        }
+    }
+    return box;
+}
+
+
 void Foam::fsi::cartesianMap::findLattice()
 {
     const boundBox& bounds = mesh_.bounds();
@@ -37,7 +62,7 @@ void Foam::fsi::cartesianMap::findLattice()
     vector size(vector::uniform(GREAT));
     if (mesh_.nCells())
     {
-        size = boundBox(mesh_.points(), mesh_.cellPoints(0), false).span();
+        size = firstCell().span();
     }
     reduceOverRanks(size, minOp<vector>(), mesh_.comm());
 

@@ -2,6 +2,7 @@
 
 #include "immersedBodies.H"
 #include "bodyVolume.H"
+#include "matrixEntry.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -10,7 +11,63 @@ Foam::fsi::immersedBodies::immersedBodies(const shapeTemplate& shape)
     bodyGroup(shape),
     forces_(*shape.sheet(), shape.mesh(), shape.nodeSpacing()),
     response_(shape)
-{}
+{
+    if (shape.sheet()->membraneViscosity > 0)
+    {
+        viscosity_.reset(new membraneViscosity(*shape.sheet(), shape.mesh()));
+    }
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
+
+void Foam::fsi::immersedBodies::resizeState(const label nCopies)
+{
+    if (viscosity_.valid())
+    {
+        viscosity_->resize(nCopies);
+    }
+}
+
+
+void Foam::fsi::immersedBodies::startState(const label copyi)
+{
+    if (viscosity_.valid())
+    {
+        viscosity_->start(copyi);
+    }
+}
+
+
+void Foam::fsi::immersedBodies::exchangeState
+(
+    const label copyi,
+    copyValues& values
+)
+{
+    if (viscosity_.valid())
+    {
+        values.block(viscosity_->natural().col(copyi));
+    }
+}
+
+
+void Foam::fsi::immersedBodies::writeState(Ostream& os) const
+{
+    if (viscosity_.valid())
+    {
+        writeMatrix(os, "naturalMetrics", viscosity_->natural());
+    }
+}
+
+
+void Foam::fsi::immersedBodies::readState(const dictionary& dict)
+{
+    if (viscosity_.valid())
+    {
+        readMatrix(dict, "naturalMetrics", viscosity_->natural());
+    }
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -66,9 +123,23 @@ void Foam::fsi::immersedBodies::keepVolume
 }
 
 
+void Foam::fsi::immersedBodies::move(const scalar dt, const Eigen::MatrixXd& v)
+{
+    bodyGroup::move(dt, v);
+    if (viscosity_.valid())
+    {
+        viscosity_->relax(dt, positions());
+    }
+}
+
+
 void Foam::fsi::immersedBodies::internalForce(Eigen::MatrixXd& force) const
 {
     forces_.energy(positions(), &force);
+    if (viscosity_.valid())
+    {
+        viscosity_->addForce(positions(), force);
+    }
 }
 
 

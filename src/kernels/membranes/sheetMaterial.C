@@ -17,12 +17,17 @@ Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
     innerViscosity
     (
         dict.found("innerViscosity") ? readPositive(dict, "innerViscosity") : 0
+    ),
+    membraneViscosity(readNonNegative(dict, "membraneViscosity", 0)),
+    viscousModulus
+    (
+        membraneViscosity > 0 ? readPositive(dict, "viscousModulus") : 0
     )
 {
     wordList known
     ({
         "type", "density", "law", "bendingModulus", "restCurvature",
-        "innerViscosity"
+        "innerViscosity", "membraneViscosity", "viscousModulus"
     });
     known.append(law->entries());
     checkKeys(dict, known);
@@ -35,7 +40,9 @@ Foam::scalar Foam::fsi::sheetMaterial::stiffness(const scalar spacing) const
 {
     const scalar ofArea = 0.5*(law->areaModulus() - 1);
     return
-        shearModulus*max(scalar(1), ofArea) + bendingModulus/sqr(spacing);
+        shearModulus*max(scalar(1), ofArea)
+      + viscousModulus
+      + bendingModulus/sqr(spacing);
 }
 
 

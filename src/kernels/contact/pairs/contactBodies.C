@@ -6,7 +6,8 @@
 
 void Foam::fsi::contactBodies::reset(const surfaceSet& surfaces)
 {
-    const label nNodes = surfaces.points().size();
+    // Membranes inside the fluid do not touch
+    const label nNodes = surfaces.anyWalls() ? surfaces.points().size() : 0;
 
     bodies_.setSize(surfaces.size());
     bodies_ = body();

@@ -2,30 +2,6 @@
 
 #include "pairFinder.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Has any object walls, at which others could touch it?
-static bool anyWalls(const surfaceSet& surfaces)
-{
-    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
-    {
-        if (surfaces.hasWalls(objecti))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::pairFinder::pairFinder
@@ -52,7 +28,7 @@ void Foam::fsi::pairFinder::find
     const scalarField& reaches
 )
 {
-    if (!anyWalls(surfaces))
+    if (!surfaces.anyWalls())
     {
         // Membranes inside the fluid do not touch
         found.clear();

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "membraneViscosity.H"
+
+#include <Eigen/Geometry>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Two sides of a triangle and their metric g_11, g_12, g_22
+struct triangleSides
+{
+    Eigen::RowVector3d e1;
+    Eigen::RowVector3d e2;
+    Eigen::Vector3d metric;
+
+    template<class Positions>
+    triangleSides(const Positions& x, const surfaceFace& f)
+    :
+        e1(x.row(f[1]) - x.row(f[0])),
+        e2(x.row(f[2]) - x.row(f[0])),
+        metric(e1.dot(e1), e1.dot(e2), e2.dot(e2))
+    {}
+};
+
+
+//- Determinant of a metric
+template<class Metric>
+static scalar determinant(const Metric& m)
+{
+    return m[0]*m[2] - m[1]*m[1];
+}
+
+
+//- Positions of a copy
+static auto ofCopy(const Eigen::MatrixXd& positions, const label copyi)
+{
+    return positions.middleCols(3*copyi, 3);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::membraneViscosity::membraneViscosity
+(
+    const sheetMaterial& material,
+    const shapeMesh& mesh
+)
+:
+    modulus_(material.viscousModulus),
+    time_(material.membraneViscosity/material.viscousModulus),
+    triangles_(mesh.faces),
+    rest_(3*mesh.faces.size()),
+    natural_(3*mesh.faces.size(), 0)
+{
+    Eigen::MatrixXd x(mesh.points.size(), 3);
+    forAll(mesh.points, nodei)
+    {
+        const point& p = mesh.points[nodei];
+        x.row(nodei) << p.x(), p.y(), p.z();
+    }
+    forAll(triangles_, i)
+    {
+        rest_.segment<3>(3*i) = triangleSides(x, triangles_[i]).metric;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::membraneViscosity::resize(const label nCopies)
+{
+    natural_.conservativeResize(rest_.size(), nCopies);
+}
+
+
+void Foam::fsi::membraneViscosity::addForce
+(
+    const Eigen::MatrixXd& positions,
+    Eigen::MatrixXd& force
+) const
+{
+    for (label copyi = 0; copyi < natural_.cols(); ++copyi)
+    {
+        const auto x = ofCopy(positions, copyi);
+        auto f = force.middleCols(3*copyi, 3);
+        forAll(triangles_, i)
+        {
+            const surfaceFace& t = triangles_[i];
+            const triangleSides sides(x, t);
+            const Eigen::Vector3d& g = sides.metric;
+            const auto h = natural_.col(copyi).segment<3>(3*i);
+
+            // H^ij/sqrt(det g/det H) less half of its trace times g^ij
+            const scalar det = determinant(g);
+            const scalar area = 0.5*std::sqrt(det);
+            const scalar per = 1/std::sqrt(det*determinant(h));
+            const Eigen::Vector3d inverse(h[2]*per, -h[1]*per, h[0]*per);
+            const scalar half =
+                0.5*inverse[0]*g[0] + inverse[1]*g[1] + 0.5*inverse[2]*g[2];
+            const Eigen::Vector3d s
+            (
+                area*modulus_
+               *(inverse - half/det*Eigen::Vector3d(g[2], -g[1], g[0]))
+            );
+            const Eigen::RowVector3d f1(s[0]*sides.e1 + s[1]*sides.e2);
+            const Eigen::RowVector3d f2(s[1]*sides.e1 + s[2]*sides.e2);
+            f.row(t[0]) += f1 + f2;
+            f.row(t[1]) -= f1;
+            f.row(t[2]) -= f2;
+        }
+    }
+}
+
+
+void Foam::fsi::membraneViscosity::relax
+(
+    const scalar dt,
+    const Eigen::MatrixXd& positions
+)
+{
+    const scalar part = dt/(time_ + dt);
+    for (label copyi = 0; copyi < natural_.cols(); ++copyi)
+    {
+        const auto x = ofCopy(positions, copyi);
+        forAll(triangles_, i)
+        {
+            const Eigen::Vector3d g(triangleSides(x, triangles_[i]).metric);
+            auto h = natural_.col(copyi).segment<3>(3*i);
+            // Only the shear counts: the area of both metrics is the same
+            h *= std::sqrt(determinant(g)/determinant(h));
+            h += part*(g - h);
+        }
+    }
+}
+
+
+// ************************************************************************* //
