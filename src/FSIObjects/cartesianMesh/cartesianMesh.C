@@ -124,54 +124,6 @@ void Foam::fsi::cartesianMesh::setIndices()
 }
 
 
-void Foam::fsi::cartesianMesh::setFirstCorners()
-{
-    const vectorField& faceAreas = mesh_.faceAreas();
-    const labelList& owner = mesh_.faceOwner();
-    const cartesianBlock block(corners());
-    const scalar area = faceArea();
-
-    cornerStride_ =
-        labelVector(block.stride(0), block.stride(1), block.stride(2));
-    firstCorner_.setSize(mesh_.nFaces());
-    firstCorner_ = -1;
-    forAll(firstCorner_, facei)
-    {
-        const vector& S = faceAreas[facei];
-        if (nDims_ == 2 && mag(S.z()) > 0.5*mag(S))
-        {
-            continue;
-        }
-        if
-        (
-            cmptMax(cmptMag(S)) < (1 - 1e-6)*mag(S)
-         || mag(mag(S) - area) > 1e-4*area
-        )
-        {
-            refuse(owner[facei], "one of its faces is skewed or stretched");
-        }
-
-        label first = labelMax;
-        for (const label pointi : mesh_.faces()[facei])
-        {
-            const vector s((mesh_.points()[pointi] - origin_)/spacing_);
-            labelVector ijk(round(s.x()), round(s.y()), round(s.z()));
-            if (nDims_ == 2)
-            {
-                // The lower one of two mesh points above each other counts
-                if (s.z()*spacing_ > 0.5*thickness_)
-                {
-                    continue;
-                }
-                ijk.z() = 0;
-            }
-            first = min(first, block.index(ijk - start_));
-        }
-        firstCorner_[facei] = first;
-    }
-}
-
-
 void Foam::fsi::cartesianMesh::setFaceDirections()
 {
     faceDirection_.setSize(mesh_.nFaces());
@@ -180,6 +132,18 @@ void Foam::fsi::cartesianMesh::setFaceDirections()
     {
         const vector& area = mesh_.faceAreas()[facei];
         const vector S(cmptMag(area));
+        if
+        (
+            (nDims_ == 3 || S.z() <= 0.5*mag(S))
+         && (
+                cmptMax(S) < (1 - 1e-6)*mag(S)
+             || mag(mag(S) - faceArea()) > 1e-4*faceArea()
+            )
+        )
+        {
+            const label celli = mesh_.faceOwner()[facei];
+            refuse(celli, "one of its faces is skewed or stretched");
+        }
         const direction d =
             S.x() > S.y() && S.x() > S.z() ? 0 : S.y() > S.z() ? 1 : 2;
         faceDirection_[facei] = d;
@@ -197,9 +161,9 @@ Foam::fsi::cartesianMesh::cartesianMesh(const fvMesh& mesh)
 {
     setSpacing();
     setIndices();
-    setFirstCorners();
     setFaceDirections();
     setCoupledFaces();
+    faceCorners_.set(*this);
 }
 
 

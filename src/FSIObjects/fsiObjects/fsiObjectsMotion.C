@@ -18,12 +18,6 @@ void Foam::fsi::fsiObjects::updateSurfaces()
 
 void Foam::fsi::fsiObjects::updateImages()
 {
-    if (bodies_.onlyMembranes())
-    {
-        // Only walls are seen through cyclic patches
-        surfaces_ = &bodies_.surfaces();
-        return;
-    }
     const scalar outside = levelSet_->bandWidth() + grid_.spacing();
     surfaces_ = &images_.update(bodies_.surfaces(), outside);
 }

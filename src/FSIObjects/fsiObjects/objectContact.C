@@ -69,7 +69,12 @@ Foam::List<Foam::labelList> Foam::fsi::objectContact::objectsOfGroups
     List<DynamicList<label>> objects(bodies_.groups().size());
     for (label objecti = 0; objecti < nObjects; ++objecti)
     {
-        objects[bodies_.objectGroup(objecti)].append(objecti);
+        // Membranes inside the fluid do not touch
+        const label groupi = bodies_.objectGroup(objecti);
+        if (bodies_.groups()[groupi].hasWalls())
+        {
+            objects[groupi].append(objecti);
+        }
     }
     List<labelList> result(objects.size());
     forAll(result, groupi)
@@ -97,10 +102,6 @@ void Foam::fsi::objectContact::setNodes()
     forAll(bodies_.groups(), groupi)
     {
         const bodyGroup& group = bodies_.groups()[groupi];
-        if (!group.hasWalls())
-        {
-            continue;
-        }
         if (!groups_[groupi])
         {
             groups_[groupi].reset(new groupContact(group, contact_.range()));
@@ -144,16 +145,13 @@ void Foam::fsi::objectContact::setBodies()
     const List<labelList> objects(objectsOfGroups(bodies_.size()));
     forAll(groups_, groupi)
     {
-        if (groups_[groupi])
-        {
-            groups_[groupi]->setResponse
-            (
-                surfaces(),
-                objects[groupi],
-                contact_.needsInternalForces(),
-                nodes_
-            );
-        }
+        groups_[groupi]->setResponse
+        (
+            surfaces(),
+            objects[groupi],
+            contact_.needsInternalForces(),
+            nodes_
+        );
     }
 }
 
@@ -225,10 +223,7 @@ void Foam::fsi::objectContact::measure()
     setNodes();
     setRanges();
     prepareSearch();
-    contact_.measure
-    (
-        surfaces(), nodes_, walls_, axisPoints_
-    );
+    contact_.measure(surfaces(), nodes_, walls_, axisPoints_);
     keepRanges();
 }
 

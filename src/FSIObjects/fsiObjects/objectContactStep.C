@@ -75,10 +75,6 @@ void Foam::fsi::objectContact::limit
     const stepLength& step
 )
 {
-    if (bodies_.onlyMembranes())
-    {
-        return;
-    }
     vectorField limiting;
     const label nPushed = contact_.limit
     (

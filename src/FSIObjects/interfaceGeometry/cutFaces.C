@@ -17,7 +17,7 @@ void Foam::fsi::cutFaces::setCut
     wallOrigin& origin
 ) const
 {
-    const FixedList<label, 4> around = grid_.faceCorners(facei);
+    const FixedList<label, 4> around = grid_.cornersOf(facei);
     const label nCorners = grid_.nDims() == 2 ? 2 : 4;
     FixedList<point, 4> at;
     for (label i = 0; i < nCorners; ++i)
@@ -156,7 +156,7 @@ void Foam::fsi::cutFaces::placeWallFaces
         const wallFace& later = fetchedAhead(wallFaces_, i);
         fetchAhead(faceAreas[later.face]);
         fetchAhead(faceCentres[later.face]);
-        fetchAhead(grid_.firstCorner()[later.face]);
+        fetchAhead(grid_.faceCorners().first()[later.face]);
         fetchAhead(nearestFace[haloIndex[max(later.lower, later.upper)]]);
 
         wallFace& w = wallFaces_[i];

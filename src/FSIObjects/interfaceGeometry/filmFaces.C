@@ -34,7 +34,7 @@ void Foam::fsi::filmFaces::setSamples
 ) const
 {
     const label nCorners = grid_.nDims() == 2 ? 2 : 4;
-    const FixedList<label, 4> corners = grid_.faceCorners(facei);
+    const FixedList<label, 4> corners = grid_.cornersOf(facei);
     for (label i = 0; i < nCorners; ++i)
     {
         p.samples[i] = {all[0], corners[i]};

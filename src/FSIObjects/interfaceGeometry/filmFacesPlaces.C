@@ -14,7 +14,7 @@ void Foam::fsi::filmFaces::setCut
     wallOrigin& origin
 ) const
 {
-    const FixedList<label, 4> around = grid_.faceCorners(facei);
+    const FixedList<label, 4> around = grid_.cornersOf(facei);
     point cuts(Zero);
     label nCuts = 0;
     // In 2D there is one edge
@@ -46,7 +46,7 @@ Foam::point Foam::fsi::filmFaces::openMiddle
     const filmFace& film
 ) const
 {
-    const FixedList<label, 4> around = grid_.faceCorners(film.face);
+    const FixedList<label, 4> around = grid_.cornersOf(film.face);
     point sum(Zero);
     scalar n = 0;
     for (label a = 0; a < nCorners; ++a)

@@ -36,7 +36,7 @@ Foam::scalar Foam::fsi::openParts::openPart
     const label across = here + grid_.stepAcross(facei);
     const scalar inCell = levelSet.cellDistance()[here];
     const scalar beyond = levelSet.cellDistance()[across];
-    const FixedList<label, 4> corners = grid_.faceCorners(facei);
+    const FixedList<label, 4> corners = grid_.cornersOf(facei);
     FixedList<scalar, 4> distance(Zero);
     scalar lowest = min(inCell, beyond);
     scalar highest = max(inCell, beyond);

@@ -31,7 +31,7 @@ Foam::direction Foam::fsi::partlyOpenFaces::openDirection
     bool& rises
 ) const
 {
-    const FixedList<label, 4> around = grid_.faceCorners(facei);
+    const FixedList<label, 4> around = grid_.cornersOf(facei);
     const label nCorners = grid_.nDims() == 2 ? 2 : 4;
 
     direction dir = 0;
@@ -125,7 +125,7 @@ void Foam::fsi::partlyOpenFaces::update
     {
         const wallFace& later = fetchedAhead(wallFaces, walli);
         fetchAhead(openness[later.face]);
-        fetchAhead(grid_.firstCorner()[later.face]);
+        fetchAhead(grid_.faceCorners().first()[later.face]);
 
         const wallFace& w = wallFaces[walli];
         if

@@ -80,7 +80,7 @@ bool Foam::fsi::thinFilms::isNarrow
     for (const label facei : mesh.cells()[celli])
     {
         const bool internal = mesh.isInternalFace(facei);
-        if (!internal && grid_.firstCorner()[facei] < 0)
+        if (!internal && grid_.faceCorners().first()[facei] < 0)
         {
             continue;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "levelSetUpdate.H"
+#include "periodicImages.H"
 #include "readBetween.H"
 #include "blockInterpolation.H"
 #include "dictionaryCheck.H"
@@ -95,7 +96,7 @@ void Foam::fsi::levelSetUpdate::setNearest(const surfaceSet& surfaces)
 
 void Foam::fsi::levelSetUpdate::setFromSurfaces(const surfaceSet& surfaces)
 {
-    if (!surfaces.anyWalls() && !centreSamples_.used())
+    if (!periodicImages::anyWalls(surfaces) && !centreSamples_.used())
     {
         // Samples take more memory than the distances
         cellDistance_.setSize(grid_.cells(1).size());

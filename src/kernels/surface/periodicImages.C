@@ -132,6 +132,19 @@ Foam::fsi::periodicImages::periodicImages
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::fsi::periodicImages::anyWalls(const surfaceSet& surfaces)
+{
+    for (label objecti = 0; objecti < surfaces.size(); ++objecti)
+    {
+        if (surfaces.hasWalls(objecti))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 const Foam::fsi::surfaceSet& Foam::fsi::periodicImages::update
 (
     const surfaceSet& surfaces,
@@ -163,6 +176,11 @@ const Foam::fsi::surfaceSet& Foam::fsi::periodicImages::update
             }
         }
         extend(box, out);
+    }
+    if (!anyWalls(surfaces))
+    {
+        // Only walls are seen through cyclic patches
+        return surfaces;
     }
     box = boundBox(box.min() - margin, box.max() + margin);
 

@@ -125,8 +125,8 @@ TEST(membraneViscosity, steadyStrainTakesThePowerOfTheViscosity)
     Eigen::RowVector3d torque(Eigen::RowVector3d::Zero());
     for (Eigen::Index i = 0; i < x.rows(); ++i)
     {
-        torque +=
-            Eigen::RowVector3d(x.row(i)).cross(Eigen::RowVector3d(force.row(i)));
+        const Eigen::RowVector3d arm(x.row(i)), f(force.row(i));
+        torque += arm.cross(f);
     }
     EXPECT_LT(torque.norm(), 1e-12*scale*4e-6);
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactBodies.H"
+#include "periodicImages.H"
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::contactBodies::reset(const surfaceSet& surfaces)
 {
     // Membranes inside the fluid do not touch
-    const label nNodes = surfaces.anyWalls() ? surfaces.points().size() : 0;
+    const label nNodes =
+        periodicImages::anyWalls(surfaces) ? surfaces.points().size() : 0;
 
     bodies_.setSize(surfaces.size());
     bodies_ = body();

@@ -28,7 +28,7 @@ void Foam::fsi::pairFinder::find
     const scalarField& reaches
 )
 {
-    if (!surfaces.anyWalls())
+    if (!periodicImages::anyWalls(surfaces))
     {
         // Membranes inside the fluid do not touch
         found.clear();
