@@ -66,6 +66,13 @@ void Foam::fsi::immersedBodies::readState(const dictionary& dict)
     if (viscosity_.valid())
     {
         readMatrix(dict, "naturalMetrics", viscosity_->natural());
+        if (!viscosity_->sound())
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'naturalMetrics' of shape " << shape().name()
+                << " has values that no triangle can have"
+                << exit(FatalIOError);
+        }
     }
 }
 

@@ -75,6 +75,18 @@ Foam::fsi::membraneViscosity::membraneViscosity
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::fsi::membraneViscosity::sound() const
+{
+    bool sound = true;
+    for (Eigen::Index i = 0; i + 2 < natural_.size(); i += 3)
+    {
+        const scalar* h = natural_.data() + i;
+        sound = sound && h[0] > 0 && h[2] > 0 && determinant(h) > 0;
+    }
+    return sound;
+}
+
+
 void Foam::fsi::membraneViscosity::resize(const label nCopies)
 {
     natural_.conservativeResize(rest_.size(), nCopies);

@@ -170,6 +170,14 @@ TEST(membraneViscosity, stateGoesWithACopy)
     next->internalForce(other);
     EXPECT_EQ(force, other);
 
+    // Values that no triangle can have
+    membraneViscosity sheet(*shape->sheet(), shape->mesh());
+    sheet.resize(1);
+    sheet.start(0);
+    EXPECT_TRUE(sheet.sound());
+    sheet.natural()(1, 0) = 2*sheet.natural()(0, 0) + 2*sheet.natural()(2, 0);
+    EXPECT_FALSE(sheet.sound());
+
     // Without viscosity the force is another one
     const auto elastic =
         sheetOf("type membrane; density 1000; shearModulus 5e-6;");
