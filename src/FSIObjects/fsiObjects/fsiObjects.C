@@ -105,7 +105,8 @@ Foam::fsi::fsiObjects::fsiObjects
         grid_,
         sides_,
         properties_.subOrEmptyDict("contact"),
-        fluid_.dynamicViscosity()
+        fluid_.dynamicViscosity(),
+        couplingType(properties_) != "none"
     ),
     boundaries_(grid_, sides_, bodies_, properties_)
 {

@@ -140,6 +140,7 @@ void Foam::fsi::fsiObjects::move(const groupNodal& v, const stepLength& step)
     {
         bodies_.groups()[groupi].move(step.tau, v[groupi]);
     }
+    contact_.jump(step);
     updateSurfaces();
     checkMotion();
 }

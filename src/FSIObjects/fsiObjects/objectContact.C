@@ -5,6 +5,32 @@
 #include "rankExchange.H"
 #include "sumOverRanks.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Least density of the shapes that keep their shape [kg/m^3]; GREAT if there
+//  is none
+static scalar leastRigidDensity(const population& bodies)
+{
+    scalar least = GREAT;
+    for (const bodyGroup& group : bodies.groups())
+    {
+        if (group.keepsShape() && group.movesFreely())
+        {
+            least = min(least, group.shape().density());
+        }
+    }
+    return least;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::objectContact::findAxis()
@@ -164,7 +190,8 @@ Foam::fsi::objectContact::objectContact
     const cartesianMesh& grid,
     const domainSides& sides,
     const dictionary& dict,
-    const scalar viscosity
+    const scalar viscosity,
+    const bool wet
 )
 :
     bodies_(bodies),
@@ -180,6 +207,7 @@ Foam::fsi::objectContact::objectContact
         sides.images()
     ),
     walls_(sides.walls()),
+    viscosity_(wet ? viscosity/leastRigidDensity(bodies) : 0),
     nLimited_(0)
 {}
 
@@ -195,6 +223,10 @@ void Foam::fsi::objectContact::calculate
     setBodies();
     setRanges();
     prepareSearch();
+    const tmp<vectorField> start
+    (
+        lessStandstill(surfaces().velocities(), step)
+    );
     contact_.calculate
     (
         surfaces(),
@@ -202,9 +234,8 @@ void Foam::fsi::objectContact::calculate
         nodes_,
         walls_,
         axisPoints_,
-        step.tau,
-        force_,
-        1 - step.tau/step.dt
+        contactStep(step.tau, step.dt, implicitness(step.dt), &start()),
+        force_
     );
     keepRanges();
 }

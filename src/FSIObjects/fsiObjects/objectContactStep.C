@@ -26,15 +26,20 @@ Foam::tmp<Foam::vectorField> Foam::fsi::objectContact::lessStandstill
 }
 
 
+Foam::scalar Foam::fsi::objectContact::implicitness(const scalar dt) const
+{
+    return 1 - 0.5*std::exp(-viscosity_*dt/sqr(grid_.spacing()));
+}
+
+
 void Foam::fsi::objectContact::respond
 (
     const vectorField& nodal,
-    nodeVelocities& v
+    nodeLayout::groupNodal& velocities
 ) const
 {
     nodeLayout::groupNodal force;
     bodies_.layout().toGroups(nodal, force);
-    nodeLayout::groupNodal& velocities = v.change();
     forAll(velocities, groupi)
     {
         Eigen::MatrixXd change;
@@ -64,7 +69,7 @@ void Foam::fsi::objectContact::push
     if (!explicitForces() && !(bodies_.onlyMembranes() && !keepsForces_))
     {
         calculate(lessStandstill(v.surface(), step), step);
-        respond(force_, v);
+        respond(force_, v.change());
     }
 }
 
@@ -88,9 +93,28 @@ void Foam::fsi::objectContact::limit
     nLimited_ = label(bodies_.ranks().largest(nPushed));
     if (nLimited_ > 0)
     {
-        respond(limiting, v);
+        respond(limiting, v.change());
         force_ += limiting;
     }
+}
+
+
+void Foam::fsi::objectContact::jump(const stepLength& step)
+{
+    if (!start_.valid() || explicitForces())
+    {
+        return;
+    }
+    nodeLayout::groupNodal change;
+    bodies_.layout().zero(change);
+    respond(force_, change);
+    forAll(change, groupi)
+    {
+        bodies_.groups()[groupi].jump(step.tau/step.dt, change[groupi]);
+    }
+
+    // Their impulses act over the whole step
+    force_ *= step.tau/step.dt;
 }
 
 

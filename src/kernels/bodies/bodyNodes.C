@@ -151,6 +151,17 @@ void Foam::fsi::bodyNodes::begin
 }
 
 
+void Foam::fsi::bodyNodes::jump
+(
+    const scalar part,
+    const Eigen::MatrixXd& dv
+)
+{
+    lastMean_ += (1 - part)*dv;
+    lastVelocities_ += dv;
+}
+
+
 Eigen::MatrixXd Foam::fsi::bodyNodes::standstill(const scalar tau) const
 {
     if (!secondOrder())

@@ -231,6 +231,38 @@ void Foam::fsi::rigidBodies::move(const scalar dt, const Eigen::MatrixXd& v)
 }
 
 
+void Foam::fsi::rigidBodies::jump
+(
+    const scalar part,
+    const Eigen::MatrixXd& dv
+)
+{
+    const Eigen::MatrixXd before(lastVelocities());
+    bodyGroup::jump(part, dv);
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        // The angular momentum jumps, with the arms of x^n
+        const Eigen::MatrixXd arms(lessMean(ofCopy(oldPositions(), copyi)));
+        const Eigen::MatrixXd change(ofCopy(dv, copyi));
+        const Eigen::MatrixXd mine(lessMean(ofCopy(positions(), copyi)));
+        setLastVelocities
+        (
+            shape().nDims()*copyi,
+            rigidField
+            (
+                mean(ofCopy(lastVelocities(), copyi)),
+                axialVector
+                (
+                    moments(arms, ofCopy(before, copyi))
+                  + moments(mine, change)
+                ),
+                arms
+            )
+        );
+    }
+}
+
+
 void Foam::fsi::rigidBodies::prepareResponse(const scalar dt)
 {
     setMasses(dt);

@@ -103,13 +103,12 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
     const surfaceSet& surfaces,
     const vectorField& velocities,
     const contactBodies& bodies,
-    const contactPairs& pairs,
-    const scalar dt
+    const contactPairs& pairs
 ) const
 {
     return
     {
-        surfaces, velocities, bodies, pairs, film_(), scales_.range, dt, 0,
+        surfaces, velocities, bodies, pairs, film_(), scales_.range, step_,
         exchange_
     };
 }
@@ -181,7 +180,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
     }
     contactProblem all
     (
-        problem(surfaces, surfaces.velocities(), bodies, found_, GREAT)
+        problem(surfaces, surfaces.velocities(), bodies, found_)
     );
     counts_.count(all, limited_, statistics_);
     statistics_.potentialEnergy = law_->potentialEnergy
@@ -192,8 +191,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::measure
             surfaces,
             surfaces.velocities(),
             bodies,
-            counts_.ownPairs(all),
-            GREAT
+            counts_.ownPairs(all)
         )
       : all
     );
@@ -208,21 +206,21 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
     const contactBodies& bodies,
     const UList<contactWall>& walls,
     const UList<medialAxisPoint>& medialAxis,
-    const scalar dt,
-    vectorField& force,
-    const scalar ahead
+    const contactStep& step,
+    vectorField& force
 )
 {
+    step_ = step;
     measure(surfaces, bodies, walls, medialAxis);
 
     film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
     const contactPairs& acting = ranges_.acting(surfaces, found_, margin_);
-    contactProblem all(problem(surfaces, velocities, bodies, acting, dt));
-    all.ahead = ahead;
+    contactProblem all(problem(surfaces, velocities, bodies, acting));
     all.walls = &walls;
     law_->addForces(all, force, statistics_);
+    step_.start = nullptr;
     return statistics_;
 }
 

@@ -154,12 +154,12 @@ Foam::label Foam::fsi::gapDefence::limit
     // Their gaps at the start of the step, along the same normals
     const contactProblem problem
     {
-        moved_, velocities, bodies, closing_, noFilm_, minimumGap_, dt, 0,
-        exchange
+        moved_, velocities, bodies, closing_, noFilm_, minimumGap_,
+        contactStep(dt, 1), exchange
     };
     for (contactPair& pair : closing_.pairs)
     {
-        pair.gap -= dt*problem.normalVelocity(pair);
+        pair.gap -= dt*problem.normalVelocity(pair, velocities);
     }
     limiter_.solve(problem, minimumGapRule(minimumGap_));
     limiter_.addForces(problem, force);

@@ -112,7 +112,7 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
 {
     const scalar gap = pair.gap;
     const scalar perPressure = pair.dt*pair.compliance*pair.area;
-    const scalar factor = pair.dt*perPressure;
+    const scalar factor = pair.duration*perPressure;
     const scalar drag = perPressure*pair.resistance;
     const scalar pull = gap < range_ ? attraction(gap) : 0;
     const scalar straight = gap + pair.dt*pair.velocity;
@@ -124,7 +124,7 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
 
     scalar push = 1;
     scalar end = endGap(pair, coast, factor, drag);
-    const scalar hold = pair.dt*pair.film.largestPull();
+    const scalar hold = pair.duration*pair.film.largestPull();
     if
     (
         end > gap
@@ -134,7 +134,7 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
         end = endGap(pair, coast - perPressure*hold, factor, 0);
         scalar slope;
         const scalar mean = meanRepulsion(gap, end, slope);
-        return pair.area*(pair.dt*(mean - pull) - hold);
+        return pair.area*(pair.duration*(mean - pull) - hold);
     }
     if (end < gap && approachFactor_ > 1)
     {
@@ -149,7 +149,8 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
     if (drag*pair.psiSlope(end) - push*factor*slope < 1 && end != gap)
     {
         const scalar film = pair.psi(end) - pair.psi(gap);
-        return pair.area*(pair.dt*(mean - pull) - pair.resistance*film);
+        return
+            pair.area*(pair.duration*(mean - pull) - pair.resistance*film);
     }
     return (end - straight)/(pair.dt*pair.compliance);
 }
@@ -206,7 +207,7 @@ Foam::scalar Foam::fsi::potentialContact::potentialEnergy
     for (const contactPair& pair : problem.found.pairs)
     {
         sum +=
-            problem.area(pair)/pair.stretch*energy(pair.stretch*pair.gap);
+            problem.area(pair)/pair.stretch*energy(pair.stretch*problem.startGap(pair));
     }
     return sum;
 }

@@ -197,7 +197,7 @@ void Foam::fsi::thesisContact::addForces
         {
             force[nodei] -=
                 problem.bodies.internalForces()[nodei]
-              + problem.bodies.masses()[nodei]/problem.dt
+              + problem.bodies.masses()[nodei]/problem.step.tau
                *problem.velocities[nodei];
         }
     }

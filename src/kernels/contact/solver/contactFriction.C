@@ -102,8 +102,8 @@ Foam::fsi::contactProblem Foam::fsi::contactFriction::with
     return
     {
         problem.surfaces, problem.velocities, problem.bodies, pairs_,
-        problem.film, problem.range, problem.dt, problem.ahead,
-        problem.exchange, problem.walls
+        problem.film, problem.range, problem.step, problem.exchange,
+        problem.walls
     };
 }
 
@@ -114,6 +114,7 @@ void Foam::fsi::contactFriction::setLoad
     const label pairi,
     const scalar impulse,
     const scalar resistance,
+    const scalar startGap,
     const scalar endGap
 )
 {
@@ -121,7 +122,7 @@ void Foam::fsi::contactFriction::setLoad
     const scalar film =
         resistance > 0
       ? problem.area(pair)*resistance
-       *(problem.film.psi(pair.gap) - problem.film.psi(endGap))
+       *(problem.film.psi(startGap) - problem.film.psi(endGap))
       : 0;
     const bool smooth = pair.wall >= 0 && (*problem.walls)[pair.wall].smooth();
     loads_[pairi] = smooth ? 0 : max(impulse - max(film, 0.0), 0.0);

@@ -33,8 +33,10 @@ Foam::scalar Foam::fsi::contactSolver::relax
         return 0;
     }
 
+    const scalar time = times_[pairi];
     const scalar u =
-        velocity(problem, pairi) - compliance*impulses_[pairi];
+        velocity(problem, pairi) + addedVelocities_[pairi]
+      - compliance*impulses_[pairi];
 
     // With the gap stretched by c an energy s w(c g)/c has the pressure w'
     const scalar c = pair.stretch;
@@ -42,11 +44,12 @@ Foam::scalar Foam::fsi::contactSolver::relax
     (
         contactState
         {
-            problem.area(pair)/c, c*pair.gap, c*u, sqr(c)*compliance,
-            problem.dt, problem.film, resistances_[pairi], c*endGaps_[pairi], c
+            problem.area(pair)/c, c*startGaps_[pairi], c*u,
+            sqr(c)*compliance, time, problem.step.dt, problem.film,
+            resistances_[pairi], c*endGaps_[pairi], c
         }
     );
-    endGaps_[pairi] = pair.gap + problem.dt*(u + compliance*impulse);
+    endGaps_[pairi] = startGaps_[pairi] + time*(u + compliance*impulse);
 
     const scalar change = impulse - impulses_[pairi];
     if (change != 0)
@@ -58,10 +61,11 @@ Foam::scalar Foam::fsi::contactSolver::relax
     {
         friction_.setLoad
         (
-            problem, pairi, impulse, resistances_[pairi], endGaps_[pairi]
+            problem, pairi, impulse, resistances_[pairi],
+            startGaps_[pairi], endGaps_[pairi]
         );
     }
-    return mag(change)*compliance*problem.dt;
+    return mag(change)*compliance*time;
 }
 
 
@@ -148,8 +152,11 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
         shared_.set(problem, order_);
     }
     compliances_.setSize(nPairs);
+    startGaps_.setSize(nPairs);
     endGaps_.setSize(nPairs);
     endGaps_ = GREAT;
+    addedVelocities_.setSize(nPairs);
+    times_.setSize(nPairs);
     impulses_.setSize(nPairs);
     impulses_ = 0;
     resistances_.setSize(nPairs);
@@ -159,10 +166,13 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
         compliances_[i] =
             response_.compliance(i)
           + (problem.exchange ? shared_.compliance(i) : 0);
-        resistances_[i] = (1 - problem.ahead)*problem.film.resistance
+        resistances_[i] = problem.film.resistance
         (
             problem.surfaces.pointObject()[pair.node], pair
         );
+        startGaps_[i] = problem.startGap(pair);
+        addedVelocities_[i] = problem.addedVelocity(pair);
+        times_[i] = problem.time(pair);
     }
 }
 
@@ -233,7 +243,7 @@ void Foam::fsi::contactSolver::addForces
     for (const label pairi : order_.pairs())
     {
         const contactPair& pair = whole.found.pairs[pairi];
-        const scalar size = impulses_[pairi]/problem.dt;
+        const scalar size = impulses_[pairi]/problem.step.tau;
         const vector f(size*pair.normal);
 
         force[pair.node] += f;

@@ -63,7 +63,7 @@ Foam::scalar Foam::fsi::contactSolver::relaxFriction
             impulses_[pairi + d] = impulse[d];
         }
     }
-    return slipWeight*mag(impulse - last)*compliance*problem.dt;
+    return slipWeight*mag(impulse - last)*compliance*problem.step.tau;
 }
 
 
