@@ -211,6 +211,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 )
 {
     step_ = step;
+    step_.setRestitution(law_->restitution());
     measure(surfaces, bodies, walls, medialAxis);
 
     film_->update(surfaces);
