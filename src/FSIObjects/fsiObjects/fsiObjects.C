@@ -104,9 +104,8 @@ Foam::fsi::fsiObjects::fsiObjects
         bodies_,
         grid_,
         sides_,
-        properties_.subOrEmptyDict("contact"),
-        fluid_.dynamicViscosity(),
-        couplingType(properties_) != "none"
+        properties_,
+        fluid_.dynamicViscosity()
     ),
     boundaries_(grid_, sides_, bodies_, properties_)
 {
@@ -128,10 +127,8 @@ Foam::fsi::fsiObjects::fsiObjects
         // Samples of the level set lie up to a cell and a half outside of
         // cells; in a step surfaces move by less than a cell
         const scalar h = grid_.spacing();
-        bodies_.share
-        (
-            max(levelSet_->bandWidth() + 1.5*h, contact_.reach()) + h
-        );
+        const scalar band = levelSet_->bandWidth() + 1.5*h;
+        bodies_.share(max(band, contact_.reach()) + h);
         contact_.share();
     }
     renew();

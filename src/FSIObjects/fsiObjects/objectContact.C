@@ -1,35 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
+#include "contactJumps.H"
 #include "leastModulus.H"
+#include "needAllObjects.H"
 #include "rankExchange.H"
 #include "sumOverRanks.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Least density of the shapes that keep their shape [kg/m^3]; GREAT if there
-//  is none
-static scalar leastRigidDensity(const population& bodies)
-{
-    scalar least = GREAT;
-    for (const bodyGroup& group : bodies.groups())
-    {
-        if (group.keepsShape() && group.movesFreely())
-        {
-            least = min(least, group.shape().density());
-        }
-    }
-    return least;
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -76,11 +52,7 @@ void Foam::fsi::objectContact::findAxis()
 
 void Foam::fsi::objectContact::prepareSearch()
 {
-    if
-    (
-        contact_.needsMedialAxis()
-     && !contact_.searched(surfaces())
-    )
+    if (contact_.needsMedialAxis() && !contact_.searched(surfaces()))
     {
         findAxis();
     }
@@ -189,9 +161,8 @@ Foam::fsi::objectContact::objectContact
     population& bodies,
     const cartesianMesh& grid,
     const domainSides& sides,
-    const dictionary& dict,
-    const scalar viscosity,
-    const bool wet
+    const dictionary& properties,
+    const scalar viscosity
 )
 :
     bodies_(bodies),
@@ -199,7 +170,7 @@ Foam::fsi::objectContact::objectContact
     sides_(sides),
     contact_
     (
-        dict,
+        properties.subOrEmptyDict("contact"),
         grid.nDims(),
         grid.spacing(),
         leastModulus(bodies, grid),
@@ -207,7 +178,12 @@ Foam::fsi::objectContact::objectContact
         sides.images()
     ),
     walls_(sides.walls()),
-    viscosity_(wet ? viscosity/leastRigidDensity(bodies) : 0),
+    viscosity_
+    (
+        couplingType(properties) == "none"
+      ? 0
+      : contactViscosity(bodies, viscosity)
+    ),
     nLimited_(0)
 {}
 
@@ -223,10 +199,7 @@ void Foam::fsi::objectContact::calculate
     setBodies();
     setRanges();
     prepareSearch();
-    const tmp<vectorField> start
-    (
-        lessStandstill(surfaces().velocities(), step)
-    );
+    const vectorField start(lessStandstill(surfaces().velocities(), step));
     contact_.calculate
     (
         surfaces(),
@@ -234,7 +207,7 @@ void Foam::fsi::objectContact::calculate
         nodes_,
         walls_,
         axisPoints_,
-        contactStep(step.tau, step.dt, implicitness(step.dt), &start()),
+        contactStep(step.tau, step.dt, implicitness(step.dt), &start),
         force_
     );
     keepRanges();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "objectContact.H"
+#include "contactJumps.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -10,19 +11,10 @@ Foam::tmp<Foam::vectorField> Foam::fsi::objectContact::lessStandstill
     const stepLength& step
 ) const
 {
-    if (!start_.valid())
-    {
-        return tmp<vectorField>(v);
-    }
-    const PtrList<bodyGroup>& groups = bodies_.groups();
-    nodeLayout::groupNodal standstill(groups.size());
-    forAll(groups, groupi)
-    {
-        standstill[groupi] = groups[groupi].standstill(step.tau);
-    }
-    vectorField nodal(v.size(), Zero);
-    bodies_.layout().toSurface(standstill, nodal);
-    return v - nodal;
+    return
+        start_.valid()
+      ? v - standstill(bodies_, step.tau)
+      : tmp<vectorField>(v);
 }
 
 
@@ -34,26 +26,6 @@ Foam::scalar Foam::fsi::objectContact::implicitness(const scalar dt) const
         start_.valid()
       ? 1
       : 1 - 0.5*std::exp(-viscosity_*dt/sqr(grid_.spacing()));
-}
-
-
-void Foam::fsi::objectContact::respond
-(
-    const vectorField& nodal,
-    nodeLayout::groupNodal& velocities
-) const
-{
-    nodeLayout::groupNodal force;
-    bodies_.layout().toGroups(nodal, force);
-    forAll(velocities, groupi)
-    {
-        Eigen::MatrixXd change;
-        bodies_.groups()[groupi].response().respond
-        (
-            force[groupi], change
-        );
-        velocities[groupi] += change;
-    }
 }
 
 
@@ -74,7 +46,7 @@ void Foam::fsi::objectContact::push
     if (!explicitForces() && !(bodies_.onlyMembranes() && !keepsForces_))
     {
         calculate(lessStandstill(v.surface(), step), step);
-        respond(force_, v.change());
+        addContact(bodies_, force_, v.change());
     }
 }
 
@@ -98,7 +70,7 @@ void Foam::fsi::objectContact::limit
     nLimited_ = label(bodies_.ranks().largest(nPushed));
     if (nLimited_ > 0)
     {
-        respond(limiting, v.change());
+        addContact(bodies_, limiting, v.change());
         force_ += limiting;
     }
 }
@@ -106,20 +78,12 @@ void Foam::fsi::objectContact::limit
 
 void Foam::fsi::objectContact::jump(const stepLength& step)
 {
-    if (!start_.valid() || explicitForces())
+    if (start_.valid() && !explicitForces())
     {
-        return;
+        jumpBy(force_, step, bodies_);
+        // Their impulses act over the whole step
+        force_ *= step.tau/step.dt;
     }
-    nodeLayout::groupNodal change;
-    bodies_.layout().zero(change);
-    respond(force_, change);
-    forAll(change, groupi)
-    {
-        bodies_.groups()[groupi].jump(step.tau/step.dt, change[groupi]);
-    }
-
-    // Their impulses act over the whole step
-    force_ *= step.tau/step.dt;
 }
 
 

@@ -212,6 +212,11 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 {
     step_ = step;
     step_.setRestitution(law_->restitution());
+    if (law_->hasFriction())
+    {
+        // Bodies that are to rest must not swing
+        step_.implicitness = 1;
+    }
     measure(surfaces, bodies, walls, medialAxis);
 
     film_->update(surfaces);

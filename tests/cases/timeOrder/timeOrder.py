@@ -209,7 +209,7 @@ def check_collision(report, folder):
                    "({ centre (0.25 0.5 0); velocity (1 0 0); } "
                    "{ centre (0.75 0.5 0); velocity (-1 0 0); }); }",
         properties="coupling { type none; } output { objectsEvery 1; }",
-        deltaT=0.01, endTime=0.4, writeInterval=40)
+        deltaT=0.01, endTime=0.3, writeInterval=30)
     case.set_up()
     case.run("fsiPisoFoam")
     rows = results.table(case.path, "objects.csv")

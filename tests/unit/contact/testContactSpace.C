@@ -84,7 +84,8 @@ TEST(ContactSpace, keepsMomentaAddsNoEnergyParts)
                 rigidBodies world(twoSpheres(offset));
                 contact law(contactOf("law { stiffness " + stiffness + "; }"));
                 const meeting m(world, law, courant*h/0.5, 8);
-                EXPECT_LT(m.energyRatio, 1.001);
+                // Normals of facets turn at 0.4 cells in a step
+                EXPECT_LT(m.energyRatio, 1.002);
                 EXPECT_LT(m.momentumError, 1e-10);
                 EXPECT_LT(m.angularError, 1e-10);
                 EXPECT_GT(m.gap, 0.02*h);

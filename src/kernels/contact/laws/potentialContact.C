@@ -206,8 +206,8 @@ Foam::scalar Foam::fsi::potentialContact::potentialEnergy
     scalar sum = 0;
     for (const contactPair& pair : problem.found.pairs)
     {
-        sum +=
-            problem.area(pair)/pair.stretch*energy(pair.stretch*problem.startGap(pair));
+        const scalar gap = pair.stretch*problem.startGap(pair);
+        sum += problem.area(pair)/pair.stretch*energy(gap);
     }
     return sum;
 }
