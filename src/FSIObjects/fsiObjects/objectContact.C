@@ -67,7 +67,6 @@ Foam::List<Foam::labelList> Foam::fsi::objectContact::objectsOfGroups
     List<DynamicList<label>> objects(bodies_.groups().size());
     for (label objecti = 0; objecti < nObjects; ++objecti)
     {
-        // Membranes inside the fluid do not touch
         const label groupi = bodies_.objectGroup(objecti);
         if (bodies_.groups()[groupi].hasWalls())
         {
@@ -180,9 +179,7 @@ Foam::fsi::objectContact::objectContact
     walls_(sides.walls()),
     viscosity_
     (
-        couplingType(properties) == "none"
-      ? 0
-      : contactViscosity(bodies, viscosity)
+        contactViscosity(bodies, viscosity)*(couplingType(properties) != "none")
     ),
     nLimited_(0)
 {}
