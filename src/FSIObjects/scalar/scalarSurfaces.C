@@ -83,9 +83,10 @@ void Foam::fsi::scalarSurfaces::update()
     const scalar near = objects_.grid().spacing();
     forAll(group_, celli)
     {
+        // Empty where nothing has walls
         const label here = haloIndex[celli];
-        group_[celli] =
-            object[here] >= 0 ? bodies.objectGroup(object[here]) : -1;
+        const label objecti = object.empty() ? -1 : object[here];
+        group_[celli] = objecti >= 0 ? bodies.objectGroup(objecti) : -1;
         const bool ofValue =
             group_[celli] >= 0
          && surfaces_[group_[celli]].type == fixedValue;
