@@ -35,9 +35,9 @@ void Foam::fsi::setSolidVelocity
             U[celli] =
                 surfaces.interpolate(surfaces.velocities(), facei, weights);
         }
-        else if (levelSet.object()[here] >= 0)
+        else if (levelSet.objectAt(here) >= 0)
         {
-            U[celli] = mean[levelSet.object()[here]];
+            U[celli] = mean[levelSet.objectAt(here)];
         }
     }
     U.correctBoundaryConditions();

@@ -41,7 +41,7 @@ Foam::fsi::wallFace Foam::fsi::patchWalls::closedPart
     }
     else
     {
-        w.place.object = levelSet.object()[here];
+        w.place.object = levelSet.objectAt(here);
         w.place.nodes = -1;
         w.place.weights = 0.0;
     }

@@ -11,7 +11,7 @@
 Foam::labelList Foam::fsi::objectsConductance::inside() const
 {
     const boolList& active = geometry_.activeCell();
-    const labelList& nearest = objects_.levelSet().object();
+    const levelSetUpdate& levelSet = objects_.levelSet();
     const labelList& place = objects_.grid().haloIndex();
 
     labelList result(active.size(), label(fluid));
@@ -19,7 +19,7 @@ Foam::labelList Foam::fsi::objectsConductance::inside() const
     {
         if (!active[celli])
         {
-            const label o = nearest[place[celli]];
+            const label o = levelSet.objectAt(place[celli]);
             const label objecti = o < 0 ? o : objects_.surfaces().original(o);
             result[celli] =
                 objecti >= 0 && bodies_.movesFreely(objecti)

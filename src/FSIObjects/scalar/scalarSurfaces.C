@@ -76,16 +76,15 @@ Foam::fsi::scalarSurfaces::scalarSurfaces
 void Foam::fsi::scalarSurfaces::update()
 {
     const population& bodies = objects_.bodies();
-    const labelList& object = objects_.levelSet().object();
-    const scalarField& distance = objects_.levelSet().cellDistance();
+    const levelSetUpdate& levelSet = objects_.levelSet();
+    const scalarField& distance = levelSet.cellDistance();
     const labelList& haloIndex = objects_.grid().haloIndex();
     const boolList& fluid = geometry_.fluidCell();
     const scalar near = objects_.grid().spacing();
     forAll(group_, celli)
     {
-        // Empty where nothing has walls
         const label here = haloIndex[celli];
-        const label objecti = object.empty() ? -1 : object[here];
+        const label objecti = levelSet.objectAt(here);
         group_[celli] = objecti >= 0 ? bodies.objectGroup(objecti) : -1;
         const bool ofValue =
             group_[celli] >= 0

@@ -192,10 +192,9 @@ void Foam::fsi::stepOutput::setFields()
 {
     const levelSetUpdate& levelSet = objects_.levelSet();
     const labelList& halo = objects_.grid().haloIndex();
-    const labelList& objects = levelSet.object();
     forAll(halo, celli)
     {
-        const label objecti = objects.empty() ? -1 : objects[halo[celli]];
+        const label objecti = levelSet.objectAt(halo[celli]);
         signedDistance_[celli] = levelSet.cellDistance()[halo[celli]];
         objectLabel_[celli] =
             objecti < 0 ? -1 : objects_.bodies().objectId(objecti);
