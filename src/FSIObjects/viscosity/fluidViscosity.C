@@ -227,12 +227,18 @@ void Foam::fsi::fluidViscosity::addTo(fvVectorMatrix& UEqn) const
     if (stress_.valid())
     {
         stress_->addDiffusion(UEqn);
+        // One component after the other: all of them take much memory
         const volVectorField& U = UEqn.psi();
-        const tmp<volTensorField> tgradient
-        (
-            law_ ? tmp<volTensorField>(gradient_) : fvc::grad(U)
-        );
-        stress_->addTransposed(tgradient(), UEqn);
+        for (direction d = 0; d < geometry_.grid().nDims(); ++d)
+        {
+            const tmp<volVectorField> tgradient
+            (
+                law_
+              ? ofComponent(gradient_(), d)
+              : fvc::grad(U.component(d), "grad(" + U.name() + ')')
+            );
+            stress_->addTransposed(tgradient(), d, UEqn);
+        }
     }
 }
 

@@ -4,27 +4,11 @@
 #include "openfoamVersion.H"
 #include "openLaplacian.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-using namespace Foam;
-
-//- Gradient of the component d of the velocity
-vector ofComponent(const tensor& gradient, const direction d)
-{
-    return vector(gradient[d], gradient[3 + d], gradient[6 + d]);
-}
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::varyingStress::addTransposedAtPatches
 (
-    const volTensorField& gradient,
+    const volVectorField& gradient,
     const direction d,
     fvVectorMatrix& UEqn
 ) const
@@ -36,12 +20,12 @@ void Foam::fsi::varyingStress::addTransposedAtPatches
     forAll(more_.boundaryField(), patchi)
     {
         const fvsPatchScalarField& pm = more_.boundaryField()[patchi];
-        const fvPatchTensorField& pg = gradient.boundaryField()[patchi];
-        const tensorField outside
+        const fvPatchVectorField& pg = gradient.boundaryField()[patchi];
+        const vectorField outside
         (
             pg.coupled()
           ? 0.5*(pg.patchInternalField() + pg.patchNeighbourField())
-          : tmp<tensorField>(pg)
+          : tmp<vectorField>(pg)
         );
         const scalarField& open =
             geometry_.fluidFace().boundaryField()[patchi];
@@ -53,7 +37,7 @@ void Foam::fsi::varyingStress::addTransposedAtPatches
             {
                 source[celli] +=
                     area[start + i][d]*(pm[i] - constant(celli)*open[i])
-                   *ofComponent(outside[i], d);
+                   *outside[i];
             }
         }
     }
@@ -154,7 +138,8 @@ void Foam::fsi::varyingStress::addDiffusion(fvVectorMatrix& UEqn) const
 
 void Foam::fsi::varyingStress::addTransposed
 (
-    const volTensorField& gradient,
+    const volVectorField& gradient,
+    const direction d,
     fvVectorMatrix& UEqn
 ) const
 {
@@ -165,36 +150,32 @@ void Foam::fsi::varyingStress::addTransposed
     const labelUList& nei = mesh.neighbour();
     vectorField& source = UEqn.source();
     const vectorField& area = mesh.faceAreas();
-    for (direction d = 0; d < grid.nDims(); ++d)
+    forAll(more_, facei)
     {
-        forAll(more_, facei)
+        const label a = own[facei], b = nei[facei];
+        if (grid.faceDirection(facei) != d || !inFluid[a] || !inFluid[b])
         {
-            const label a = own[facei], b = nei[facei];
-            if (grid.faceDirection(facei) != d || !inFluid[a] || !inFluid[b])
-            {
-                continue;
-            }
-            const scalar ofA = more_[facei] - constant(a);
-            const scalar ofB = more_[facei] - constant(b);
-            if (ofA != 0 || ofB != 0)
-            {
-                const vector sum
-                (
-                    ofComponent(gradient[a], d) + ofComponent(gradient[b], d)
-                );
-                source[a] += 0.5*area[facei][d]*ofA*sum;
-                source[b] -= 0.5*area[facei][d]*ofB*sum;
-            }
+            continue;
         }
-        addTransposedAtPatches(gradient, d, UEqn);
+        const scalar ofA = more_[facei] - constant(a);
+        const scalar ofB = more_[facei] - constant(b);
+        if (ofA != 0 || ofB != 0)
+        {
+            const vector sum(gradient[a] + gradient[b]);
+            source[a] += 0.5*area[facei][d]*ofA*sum;
+            source[b] -= 0.5*area[facei][d]*ofB*sum;
+        }
     }
+    addTransposedAtPatches(gradient, d, UEqn);
     forAll(moreAtLinks_, i)
     {
         const wallLink& link = geometry_.wallLinks()[i];
-        source[link.cell] +=
-            (link.upwards ? 1 : -1)*grid.faceArea()
-           *(moreAtLinks_[i] - constant(link.cell))
-           *ofComponent(gradient[link.cell], link.dir);
+        if (link.dir == d)
+        {
+            source[link.cell] +=
+                (link.upwards ? 1 : -1)*grid.faceArea()
+               *(moreAtLinks_[i] - constant(link.cell))*gradient[link.cell];
+        }
     }
 }
 
