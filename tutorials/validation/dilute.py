@@ -3,7 +3,7 @@
 walls and from the stress of the bodies (rheology.csv): a rigid sphere and a
 rigid disc between walls that slide, ten radii apart, at Re 0.1. Einstein's
 1 + 2.5 phi in three dimensions; in two it is 1 + 2 phi. And discs on 20 % of
-the area, whose stress parts add up to the walls' stress."""
+the area, and 20 spheres, whose stress parts add up to the walls' stress."""
 
 import math
 
@@ -55,8 +55,8 @@ def einstein(cells=5):
                       tolerance and tolerance*exact, minutes)
 
 
-def parts():
-    """The parts of the stress of a suspension."""
+def discs():
+    """The parts of the stress of a suspension of discs."""
     values, minutes = shear(
         "discs", 2, 6, "disc { shape { type circle; radius 1; } "
         "material { type rigid; density 1; } }",
@@ -66,10 +66,22 @@ def parts():
               values["viscosity"]/values["wallViscosity"], 0.03, minutes)
 
 
+def spheres(cells=5):
+    """The parts of the stress of a suspension of spheres."""
+    values, minutes = shear(
+        "spheres", 3, cells, sphere(1, "type rigid; density 1;"),
+        "a { type random; shape sphere; number 20; seed 3; }", 3)
+    yield Row("20 spheres in shear, sum of the parts of the stress over the "
+              "walls' stress", f"a/h = {cells}", 1,
+              values["viscosity"]/values["wallViscosity"], 0.01, minutes)
+    yield Row("the same, viscosity by the walls", f"a/h = {cells}", None,
+              values["wallViscosity"], None, minutes)
+
+
 def dilute():
     """All."""
     yield from einstein()
-    yield from parts()
+    yield from discs()
 
 
-CASES = {"dilute": dilute}
+CASES = {"dilute": dilute, "spheresInShear": spheres}

@@ -26,6 +26,7 @@ import migration
 import oscillatingSphere
 import resistances
 import rigidStiff
+import scalars
 import settlingSphere
 import shearBox
 import softDisc
@@ -37,7 +38,7 @@ import vessel
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, resistances, suspension, flap,
-           vessel, dilute)
+           vessel, dilute, scalars)
 
 
 def collected(name):

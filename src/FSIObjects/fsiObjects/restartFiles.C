@@ -196,6 +196,18 @@ void Foam::fsi::restartFiles::check(const fvMesh& mesh)
             checkFile(list, time, "", file);
         }
     }
+    const word volume("Volume");
+    for (const word& name : fields)
+    {
+        if (name.endsWith(volume))
+        {
+            checkFile
+            (
+                list, time, "",
+                {name.c_str(), "the volumes that cells hold start anew"}
+            );
+        }
+    }
     for (const restartFile& file : uniformFiles)
     {
         if (isIn(files, file.name))

@@ -7,12 +7,50 @@
 #include "objectWriter.H"
 #include "openVolumes.H"
 #include "openfoamMesh.H"
-#include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::carriedScalar::addFluxes(scalarField& source)
+Foam::tmp<Foam::scalarField> Foam::fsi::carriedScalar::capacity() const
 {
+    const scalar whole = objects_.grid().faceArea()*objects_.grid().spacing();
+    auto tcapacity = newTmp<scalarField>(open_);
+    forAll(open_, celli)
+    {
+        tcapacity.ref()[celli] +=
+            surfaces_.partition(celli)*(whole - open_[celli]);
+    }
+    return tcapacity;
+}
+
+
+Foam::tmp<Foam::volScalarField> Foam::fsi::carriedScalar::share() const
+{
+    const scalar whole = objects_.grid().faceArea()*objects_.grid().spacing();
+    auto tshare = newTmp<volScalarField>(C_.name() + "Share", volumes_.field());
+    volScalarField& share = tshare.ref();
+    forAll(open_, celli)
+    {
+        const scalar K = surfaces_.partition(celli);
+        share[celli] /= K > 0 ? min(K, scalar(1))*whole : whole;
+    }
+    share.correctBoundaryConditions();
+    return tshare;
+}
+
+
+void Foam::fsi::carriedScalar::addSources(scalarField& source)
+{
+    const scalar whole = objects_.grid().faceArea()*objects_.grid().spacing();
+    forAll(open_, celli)
+    {
+        if (surfaces_.partition(celli) > 0)
+        {
+            const scalar made =
+                surfaces_.value(celli)*(whole - open_[celli]);
+            source[celli] += made;
+            fromSurfaces_[surfaces_.group()[celli]] += made;
+        }
+    }
     const population& bodies = objects_.bodies();
     for (const cellWall& part : geometry_.surfaceParts())
     {
@@ -23,115 +61,6 @@ void Foam::fsi::carriedScalar::addFluxes(scalarField& source)
             const scalar rate = surface.value*mag(part.area);
             source[part.cell] += rate;
             fromSurfaces_[groupi] += rate;
-        }
-    }
-}
-
-
-Foam::scalar Foam::fsi::carriedScalar::inflow
-(
-    const fvScalarMatrix& equation
-) const
-{
-    scalar sum = 0;
-    forAll(C_.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pC = C_.boundaryField()[patchi];
-        const labelUList& cells = pC.patch().faceCells();
-        for (label i = 0; i < pC.size() && !pC.coupled(); ++i)
-        {
-            sum +=
-                boundaryCoeffsOf(equation)[patchi][i]
-              - internalCoeffsOf(equation)[patchi][i]*C_[cells[i]];
-        }
-    }
-    return sum;
-}
-
-
-void Foam::fsi::carriedScalar::spread(const fvScalarMatrix& equation)
-{
-    // Sum of the residuals of all cells that are not fixed, which have no
-    // coefficients of fixed ones; their volume
-    const boolList& fixed = surfaces_.fixed();
-    scalarList sums({0, 0, 0});
-    forAll(fixed, celli)
-    {
-        if (!fixed[celli])
-        {
-            sums[2] += mag(equation.source()[celli]);
-            sums[0] +=
-                equation.source()[celli] - equation.diag()[celli]*C_[celli];
-            sums[1] += volumes_.now()[celli];
-        }
-    }
-    const labelUList& own = C_.mesh().owner();
-    const labelUList& nei = C_.mesh().neighbour();
-    forAll(own, facei)
-    {
-        sums[0] -=
-            equation.upper()[facei]*C_[nei[facei]]
-          + equation.lower()[facei]*C_[own[facei]];
-    }
-    forAll(C_.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pC = C_.boundaryField()[patchi];
-        const scalarField& ofOther = boundaryCoeffsOf(equation)[patchi];
-        const scalarField& ofCell = internalCoeffsOf(equation)[patchi];
-        scalarField across(pC.size(), scalar(1));
-        if (pC.coupled())
-        {
-            across = pC.patchNeighbourField();
-        }
-        sums[0] += sum(ofOther*across - ofCell*pC.patchInternalField());
-    }
-    sumOverRanks(sums);
-    if (mag(sums[0]) <= 10*SMALL*sums[2])
-    {
-        // The sum's own round-off
-        return;
-    }
-    const scalar shift = objects_.deltaT()*sums[0]/max(sums[1], VSMALL);
-    forAll(fixed, celli)
-    {
-        C_[celli] += fixed[celli] ? 0 : shift;
-    }
-}
-
-
-void Foam::fsi::carriedScalar::write(const scalar inflow)
-{
-    scalar least = GREAT;
-    scalar largest = -GREAT;
-    scalarList sums(2 + fromSurfaces_.size(), Zero);
-    sums[0] = 0;
-    sums[1] = inflow;
-    forAll(fromSurfaces_, groupi)
-    {
-        sums[2 + groupi] = fromSurfaces_[groupi];
-    }
-    forAll(C_, celli)
-    {
-        if (!surfaces_.fixed()[celli])
-        {
-            sums[0] += volumes_.now()[celli]*C_[celli];
-        }
-        if (geometry_.fluidCell()[celli])
-        {
-            least = min(least, C_[celli]);
-            largest = max(largest, C_[celli]);
-        }
-    }
-    sumOverRanks(sums);
-    least = overRanks(least, minOp<scalar>());
-    largest = overRanks(largest, maxOp<scalar>());
-    if (table_.valid())
-    {
-        csvTable::rowWriter row(table_());
-        row << C_.mesh().time().value() << sums[0] << least << largest;
-        for (label i = 1; i < sums.size(); ++i)
-        {
-            row << sums[i];
         }
     }
 }
@@ -164,15 +93,13 @@ Foam::fsi::carriedScalar::carriedScalar
     surfaces_(objects, geometry, dict.subOrEmptyDict("surfaces")),
     transport_
     (
-        geometry, surfaces_, C_, readPositive(dict, "diffusivity")
+        objects, geometry, surfaces_, C_, readPositive(dict, "diffusivity")
     ),
     fixed_(geometry, surfaces_, C_),
-    volumes_
-    (
-        objects.grid(),
-        name + "Volume",
-        openVolumes(objects, geometry, surfaces_)()
-    ),
+    open_(openVolumes(objects, geometry, surfaces_)),
+    volumes_(objects.grid(), name + "Volume", capacity()()),
+    bodyFlux_(objects, geometry, surfaces_),
+    inBodies_(surfaces_.all().size(), Zero),
     fromSurfaces_(surfaces_.all().size(), Zero),
     expansion_(0),
     reference_(0)
@@ -191,9 +118,19 @@ Foam::fsi::carriedScalar::carriedScalar
     {
         columns.append(group.shape().name());
     }
+    forAll(surfaces_.all(), groupi)
+    {
+        if (surfaces_.all()[groupi].type == scalarSurfaces::permeable)
+        {
+            const word& shape =
+                objects.bodies().groups()[groupi].shape().name();
+            columns.append("in" + shape);
+        }
+    }
     table_ =
         objectWriter::newTable(objects.grid().mesh().time(), name, columns);
     fixed_.setValues();
+    countBodies(0);
 }
 
 
@@ -217,7 +154,6 @@ void Foam::fsi::carriedScalar::addBuoyancy(vectorField& source) const
 }
 
 
-
 void Foam::fsi::carriedScalar::advance(const surfaceScalarField& phi)
 {
     const scalar perStep = 1/objects_.deltaT();
@@ -225,8 +161,13 @@ void Foam::fsi::carriedScalar::advance(const surfaceScalarField& phi)
     const scalarField last(C_.primitiveField());
     surfaces_.update();
     fixed_.setValues();
+    open_ = openVolumes(objects_, geometry_, surfaces_);
 
     surfaceScalarField flux(C_.name() + "Flux", phi);
+    if (surfaces_.anyPermeable())
+    {
+        bodyFlux_.addTo(flux);
+    }
     boolList free(C_.size());
     forAll(free, celli)
     {
@@ -236,7 +177,7 @@ void Foam::fsi::carriedScalar::advance(const surfaceScalarField& phi)
     (
         volumes_.advance
         (
-            openVolumes(objects_, geometry_, surfaces_),
+            capacity(),
             transport_.openFaces(),
             free,
             flux
@@ -245,10 +186,10 @@ void Foam::fsi::carriedScalar::advance(const surfaceScalarField& phi)
     const scalarField& taken = ttaken();
 
     fvScalarMatrix equation(C_, C_.dimensions()*dimVolume/dimTime);
-    transport_.set(flux, volumes_.field(), equation);
+    transport_.set(flux, share(), equation);
     fixed_.addLinks(transport_.diffusivity(), equation);
     fromSurfaces_ = Zero;
-    addFluxes(equation.source());
+    addSources(equation.source());
     forAll(taken, celli)
     {
         const scalar before = perStep*volumes_.last()[celli]*last[celli];
@@ -270,6 +211,7 @@ void Foam::fsi::carriedScalar::advance(const surfaceScalarField& phi)
     const scalar in = inflow(equation);
     spread(equation);
     C_.correctBoundaryConditions();
+    countBodies(perStep);
     write(in);
 }
 

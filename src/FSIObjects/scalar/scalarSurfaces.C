@@ -15,7 +15,11 @@ Foam::fsi::scalarSurfaces::surface Foam::fsi::scalarSurfaces::read
 {
     const word type
     (
-        readChoice(dict, "type", "blocked", {"blocked", "fixedValue", "flux"})
+        readChoice
+        (
+            dict, "type", "blocked",
+            {"blocked", "fixedValue", "flux", "permeable"}
+        )
     );
     surface s;
     if (type == "fixedValue")
@@ -29,6 +33,14 @@ Foam::fsi::scalarSurfaces::surface Foam::fsi::scalarSurfaces::read
         checkKeys(dict, {"type", "flux"});
         s.type = flux;
         s.value = readEntry<scalar>(dict, "flux");
+    }
+    else if (type == "permeable")
+    {
+        checkKeys(dict, {"type", "partition", "diffusivity", "source"});
+        s.type = permeable;
+        s.value = readEntryOr<scalar>(dict, "source", 0);
+        s.partition = readPositive(dict, "partition", 1);
+        s.diffusivity = s.partition*readPositive(dict, "diffusivity");
     }
     else
     {
@@ -93,6 +105,47 @@ void Foam::fsi::scalarSurfaces::update()
         beside_[celli] =
             ofValue && fluid[celli] && distance[here] < near;
     }
+}
+
+
+bool Foam::fsi::scalarSurfaces::anyPermeable() const
+{
+    for (const surface& s : surfaces_)
+    {
+        if (s.type == permeable)
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
+Foam::label Foam::fsi::scalarSurfaces::innerSample(const label facei) const
+{
+    const cartesianMesh& grid = objects_.grid();
+    const levelSetUpdate& levelSet = objects_.levelSet();
+    const scalarField& distance = levelSet.cellDistance();
+    const label a = grid.haloIndex()[grid.mesh().faceOwner()[facei]];
+    const label b = a + grid.stepAcross(facei);
+    if (distance[a] != distance[b])
+    {
+        return distance[a] < distance[b] ? a : b;
+    }
+    return levelSet.objectAt(a) < levelSet.objectAt(b) ? b : a;
+}
+
+
+const Foam::fsi::scalarSurfaces::surface*
+Foam::fsi::scalarSurfaces::permeableAt(const label facei) const
+{
+    const label objecti = objects_.levelSet().objectAt(innerSample(facei));
+    if (objecti < 0)
+    {
+        return nullptr;
+    }
+    const surface& s = surfaces_[objects_.bodies().objectGroup(objecti)];
+    return s.type == permeable ? &s : nullptr;
 }
 
 

@@ -35,18 +35,16 @@ Foam::fsi::scalarTransport::interpolation(const surfaceScalarField& flux) const
 Foam::tmp<Foam::surfaceScalarField> Foam::fsi::scalarTransport::weightsOf
 (
     const surfaceScalarField& flux,
-    const volScalarField& volume,
+    const volScalarField& share,
     const surfaceInterpolationScheme<scalar>& scheme
 ) const
 {
     auto tweights = newTmp<surfaceScalarField>(scheme.weights(C_));
     surfaceScalarField& weights = tweights.ref();
-    const scalar least =
-        leastShare*geometry_.grid().faceArea()*geometry_.grid().spacing();
     const auto limit =
         [&](const scalar a, const scalar b, const scalar f, scalar& weight)
     {
-        if (min(a, b) < least)
+        if (min(a, b) < leastShare)
         {
             weight = f >= 0 ? 1 : 0;
         }
@@ -57,7 +55,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::scalarTransport::weightsOf
     {
         limit
         (
-            volume[own[facei]], volume[nei[facei]], flux[facei], weights[facei]
+            share[own[facei]], share[nei[facei]], flux[facei], weights[facei]
         );
     }
     forAll(flux.boundaryField(), patchi)
@@ -65,7 +63,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::scalarTransport::weightsOf
         const fvsPatchScalarField& pf = flux.boundaryField()[patchi];
         if (pf.coupled())
         {
-            const fvPatchScalarField& pv = volume.boundaryField()[patchi];
+            const fvPatchScalarField& pv = share.boundaryField()[patchi];
             const scalarField inside(pv.patchInternalField());
             const scalarField across(pv.patchNeighbourField());
             scalarField& ofPatch = weights.boundaryFieldRef()[patchi];
@@ -161,12 +159,19 @@ Foam::fsi::scalarTransport::openFaces() const
 {
     const scalarField& now = geometry_.openness();
     const scalarField& last = geometry_.lastOpenness();
+    const bool any = surfaces_.anyPermeable();
     return perFace
     (
         "Open",
         [&](const label facei, const bool fixed, const bool)
         {
-            return fixed ? 0 : max(now[facei], last[facei]);
+            const auto* body =
+                any ? surfaces_.permeableAt(facei) : nullptr;
+            const scalar closed = 1 - min(now[facei], last[facei]);
+            return
+                fixed ? 0
+              : max(now[facei], last[facei])
+              + (body ? body->partition*closed : 0);
         }
     );
 }
@@ -175,15 +180,19 @@ Foam::fsi::scalarTransport::openFaces() const
 void Foam::fsi::scalarTransport::set
 (
     const surfaceScalarField& flux,
-    const volScalarField& volume,
+    const volScalarField& share,
     fvScalarMatrix& equation
-) const
+)
 {
     const fvMesh& mesh = C_.mesh();
     const auto tscheme(interpolation(flux));
-    const tmp<surfaceScalarField> tweights(weightsOf(flux, volume, tscheme()));
+    const tmp<surfaceScalarField> tweights(weightsOf(flux, share, tscheme()));
     const surfaceScalarField& weights = tweights();
-    const tmp<surfaceScalarField> tdiffusion(diffusion());
+    tmp<surfaceScalarField> tdiffusion(diffusion());
+    if (surfaces_.anyPermeable())
+    {
+        inBodies_.set(tdiffusion.ref(), equation.source());
+    }
     const surfaceScalarField& D = tdiffusion();
     const scalar perLength = 1/geometry_.grid().spacing();
 
