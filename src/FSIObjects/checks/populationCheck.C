@@ -226,8 +226,10 @@ void Foam::fsi::populationCheck::checkSurfaces
             found.notFinite.append(id);
             continue;
         }
+        const bodyGroup& group =
+            objects.groups()[objects.objectGroup(objecti)];
         const bool isFree =
-            objects.groups()[objects.objectGroup(objecti)].movesFreely();
+            group.movesFreely() && group.shape().held().clamped().empty();
         if (isFree && isOutside(surfaces.bounds(objecti)))
         {
             found.outside.append(id);
