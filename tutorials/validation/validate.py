@@ -24,6 +24,7 @@ import flap
 import lubrication
 import migration
 import oscillatingSphere
+import redCell
 import resistances
 import rigidStiff
 import scalars
@@ -38,7 +39,7 @@ import vessel
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, resistances, suspension, flap,
-           vessel, dilute, scalars)
+           vessel, dilute, scalars, redCell)
 
 
 def collected(name):
