@@ -60,7 +60,8 @@ class Falling(fsiCase.Case):
 
 class RedCells(fsiCase.Case):
     """Red cells of contrast 5 on 29 % of a box of width^2 x 2 width cells of
-    half a micrometre, between plates that shear it at 500/s; steps of 5 us."""
+    half a micrometre, with 5 uN/m, between plates that shear it at 500/s;
+    steps of 5 us."""
 
     def __init__(self, path, width, steps):
         h, step = 0.5e-6, 5e-6
@@ -76,7 +77,8 @@ class RedCells(fsiCase.Case):
             properties="membranes { kernel 2; }\n"
                        "contact { law { type none; } }\n",
             shapes="cell { shape { type biconcave; radius 3.91e-6; } "
-                   f'material {{ #include "{preset}" }} }}\n',
+                   f'material {{ #include "{preset}" '
+                   "shearModulus 5e-6; } }\n",
             placements="cells { type packed; shape cell; number "
                        f"{self.objects}; seed 1; start small; }}\n",
             p_tolerance=1e-4, U_tolerance=1e-3,
