@@ -1,26 +1,42 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Viscosity of suspensions of rigid spheres in a shear between walls five
-diameters apart, at Re 0.1 with the radius and the shear rate (as Rosti, Brandt
-and Mitra 2018, Phys. Rev. Fluids 3, 012301, who find Eilers' formula
+"""Viscosity of suspensions of rigid discs and spheres in a shear between walls,
+at Re 0.1 with the radius and the shear rate. Lengths are radii, shear rate and
+density are 1.
+
+Suspensions are chaotic: two runs with other steps soon have other states, whose
+viscosities differ more than the steps' errors. So two states of a run are gone
+on with, each for a strain of 0.6, with other steps, stiffnesses of contact and
+meshes; a value is the mean of the last half of both, by rheology.csv. The
+bodies start with the shear's velocity.
+
+Spheres are compared with Eilers' formula
 
     mu/mu_0 = (1 + 1.25 phi/(1 - phi/0.63))^2
 
-in such a box). Lengths are radii, shear rate and density are 1.
-
-Contact presses as hard as the flow, where a gap is half a cell. The default for
-rigid bodies, which have no modulus, is density (h/dt)^2, 60 to 250 times as
-much: it holds spheres a fifth of a radius apart, so that no film gets thin.
+which Rosti, Brandt and Mitra 2018 (Phys. Rev. Fluids 3, 012301) find at this Re
+between walls five diameters apart; their value is the mean of a whole run.
 """
 
-import results
-from common import Case, Row, sphere, wall_layers
+import math
 
-SIDE = 10
+import results
+from common import Case, Row, disc, sphere
 
 VISCOSITY = 10
 
-CONTACT = ("contact { range 1; lubrication { type Reynolds; } "
-           f"law {{ type elastic; stiffness {VISCOSITY}; }} }}")
+# Distance of the walls, and length of the box
+SIDE = {2: 12, 3: 10}
+
+SHAPE = {2: disc, 3: sphere}
+
+# dt nu/h^2
+STEPS = (4, 1, 0.25)
+
+# Over the stress of the flow
+STIFFNESSES = (0.1, 1, 10)
+
+# Strain that a state is gone on with
+STRAIN = 0.6
 
 
 def eilers(phi):
@@ -28,36 +44,108 @@ def eilers(phi):
     return (1 + 1.25*phi/(1 - phi/0.63))**2
 
 
-def viscosity(phi, cells, step, end):
-    """Walls' stress over that of the fluid alone in the mean over the second
-    half, and minutes; radius/h = cells."""
-    half = SIDE/2
+def box(name, n_dims, cells, step, placements, end, stiffness=None):
+    """A case that is solved, and minutes. cells: to a radius; stiffness over
+    the stress of the flow, None: the default."""
+    half = SIDE[n_dims]/2
+    law = (f"law {{ type elastic; stiffness {stiffness*VISCOSITY}; }}"
+           if stiffness else "")
     case = Case(
-        f"suspension-{phi}-{cells}-{step}", box=(-half,)*3 + (half,)*3,
-        cells=(SIDE*cells,)*3, viscosity=VISCOSITY, cyclic="xz",
+        f"suspension-{name}", box=(-half,)*n_dims + (half,)*n_dims,
+        cells=(SIDE[n_dims]*cells,)*n_dims, viscosity=VISCOSITY,
+        cyclic="x" if n_dims == 2 else "xz",
         walls={"top": f"({half} 0 0)", "bottom": f"({-half} 0 0)"},
-        shapes=sphere(1, "type rigid; density 1;"),
-        placements="a { type packed; shape sphere; "
-                   f"volumeFraction {phi}; minimumGap 0.1; wallGap 0.1; }}",
-        properties=CONTACT, deltaT=step, endTime=end, writeInterval=0.1)
-    case.set_velocity(lambda x, y, z: (y, 0, 0))
-    minutes = case.solve(40000)
-    gradients = []
-    for time in results.times(case.path):
-        if float(time) >= end/2:
-            lower, upper = wall_layers(case, time)
-            gradients.append((lower - upper + 2*half)/case.spacing())
-    return sum(gradients)/len(gradients), minutes
+        shapes=SHAPE[n_dims](1, "type rigid; density 1;"),
+        placements=placements,
+        properties=f"contact {{ range 1; {law} }} "
+                   "output { rheology yes; objectsEvery 1; crossing warn; }",
+        deltaT=step/(VISCOSITY*cells**2), endTime=end, writeInterval=end)
+    case.set_velocity(lambda x, y, *z: (y, 0, 0)[:n_dims])
+    return case, case.solve(40000)
 
 
-def suspension(fractions=(0.1, 0.2, 0.3), cells=4, end=10):
-    """Each with two time steps."""
+def mean(case, start, end):
+    """Of the viscosity between two strains."""
+    values = [row["viscosity"] for row in results.table(
+        case.path, "rheology.csv") if start < row["time"] <= end]
+    return sum(values)/len(values)
+
+
+def states(n_dims, phi, cells, strains):
+    """Placements of the bodies at strains of a run from a random state, the
+    case, and minutes."""
+    shape = SHAPE[n_dims].__name__
+    case, minutes = box(
+        f"{n_dims}D-{phi}-{cells}", n_dims, cells, 1,
+        f"a {{ type packed; shape {shape}; "
+        f"{'area' if n_dims == 2 else 'volume'}Fraction {phi}; "
+        "minimumGap 0.1; wallGap 0.1; }", strains[-1])
+    rows = case.objects()
+    listed = []
+    for strain in strains:
+        time = min((row["time"] for row in rows),
+                   key=lambda t, s=strain: abs(t - s))
+        listed.append(
+            f"a {{ type listed; shape {shape}; objects (" + " ".join(
+                "{{ centre ({0!r} {1!r} {2!r}); velocity ({1!r} 0 0); "
+                "angularVelocity (0 0 -0.5); }}".format(
+                    *(row.get(f"centroid{axis}", 0) for axis in "XYZ"))
+                for row in rows if row["time"] == time) + "); }")
+    return listed, case, minutes
+
+
+def gone_on(n_dims, phi, cells, step, listed, stiffness=None):
+    """Mean viscosity of the states, and minutes."""
+    total = minutes = 0
+    for i, placements in enumerate(listed):
+        case, took = box(f"{n_dims}D-{phi}-{cells}-{step}-{stiffness}-{i}",
+                         n_dims, cells, step, placements, STRAIN, stiffness)
+        total += mean(case, STRAIN/2, STRAIN)/len(listed)
+        minutes += took
+    return total, minutes
+
+
+def compared(n_dims, phi, cells, listed):
+    """Rows of a mesh: steps over the least, stiffnesses over the middle one;
+    and the viscosity with the middle step."""
+    what = f"{SHAPE[n_dims].__name__}s at {phi:.0%}, viscosity"
+    grid = f"D/h = {2*cells}"
+    found = {step: gone_on(n_dims, phi, cells, step, listed) for step in STEPS}
+    rows = [Row(f"{what}, step {step}, over that with {STEPS[-1]}", grid, 1,
+                found[step][0]/found[STEPS[-1]][0], 0.03, found[step][1])
+            for step in STEPS[:-1]]
+    value, minutes = found[1]
+    rows.append(Row(f"{what}, step 1", grid, None, value, None, minutes))
+    for stiffness in STIFFNESSES:
+        other, minutes = gone_on(n_dims, phi, cells, 1, listed, stiffness)
+        rows.append(Row(f"{what}, stiffness {stiffness}, over that by default",
+                        grid, 1, other/value, 0.03, minutes))
+    return rows, value
+
+
+def discs(fractions=(0.2, 0.4), meshes=(4, 6, 8)):
+    """Steps, stiffnesses and meshes, all from the states of the first mesh."""
     for phi in fractions:
-        for step in (0.01, 0.005):
-            value, minutes = viscosity(phi, cells, step, end)
-            yield Row(f"spheres at {phi:.0%} in shear, viscosity, "
-                      f"step {step}", f"D/h = {2*cells}", eilers(phi), value,
-                      0.1*eilers(phi), minutes)
+        listed, _, _ = states(2, phi, meshes[0], (2, 4))
+        values = {}
+        for cells in meshes:
+            rows, values[cells] = compared(2, phi, cells, listed)
+            yield from rows
+        for cells, tolerance in zip(meshes[:-1], (0.1, 0.05)):
+            yield Row(f"discs at {phi:.0%}, viscosity, over that with D/h = "
+                      f"{2*meshes[-1]}", f"D/h = {2*cells}", 1,
+                      values[cells]/values[meshes[-1]], tolerance, 0)
 
 
-LONG = {"suspension": suspension}
+def spheres(fractions=(0.1, 0.2, 0.3, 0.4), cells=4, end=5):
+    """Mean of the second half of a run, and steps and stiffnesses."""
+    for phi in fractions:
+        listed, case, minutes = states(3, phi, cells, (end/2, end))
+        yield Row(f"spheres at {phi:.0%}, viscosity (Eilers)",
+                  f"D/h = {2*cells}", eilers(phi), mean(case, end/2, end),
+                  0.1*eilers(phi), minutes)
+        rows, _ = compared(3, phi, cells, listed[-1:])
+        yield from rows
+
+
+LONG = {"discSuspension": discs, "suspension": spheres}
