@@ -85,7 +85,7 @@ void Foam::fsi::faceLattice::setVelocities
         const label facei,
         const scalar flux,
         const scalar open,
-        const vector& mean
+        const auto& mean
     )
     {
         if (mine_[facei])
@@ -93,7 +93,7 @@ void Foam::fsi::faceLattice::setVelocities
             const direction d = grid_.faceDirection(facei);
             const scalar velocity = perArea*flux;
             u[d][place_[facei]] =
-                open < 1 - SMALL ? mean[d]
+                open < 1 - SMALL ? mean(d)
               : grid_.faceAlong(facei) ? velocity : -velocity;
         }
     };
@@ -106,7 +106,10 @@ void Foam::fsi::faceLattice::setVelocities
             facei,
             phi[facei],
             openArea[facei],
-            0.5*(U[own[facei]] + U[nei[facei]])
+            [&](const direction d)
+            {
+                return 0.5*(U[own[facei]][d] + U[nei[facei]][d]);
+            }
         );
     }
     forAll(U.boundaryField(), patchi)
@@ -126,7 +129,7 @@ void Foam::fsi::faceLattice::setVelocities
                 pU.patch().start() + i,
                 flux[i],
                 openArea.boundaryField()[patchi][i],
-                value[i]
+                [&](const direction d) { return value[i][d]; }
             );
         }
     }

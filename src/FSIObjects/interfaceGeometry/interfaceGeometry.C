@@ -100,8 +100,10 @@ void Foam::fsi::interfaceGeometry::update
     const surfaceSet& surfaces
 )
 {
-    open_.update(levelSet, surfaces);
-    setFields();
+    if (open_.update(levelSet, surfaces))
+    {
+        setFields();
+    }
     cutFaces_.update(levelSet, surfaces);
     filmLinks_.update(levelSet, surfaces);
     cellWalls_.update

@@ -3,6 +3,8 @@
 #include "openParts.H"
 #include "wallTreatment.H"
 #include "levelSetUpdate.H"
+#include "periodicImages.H"
+#include "sumOverRanks.H"
 #include "swapCoupledCells.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -155,7 +157,9 @@ Foam::fsi::openParts::openParts
     grid_(grid),
     wall_(wall),
     openness_(grid.mesh().nFaces(), 1),
+    known_(false),
     first_(true),
+    hasWalls_(false),
     fluidCell_(grid.mesh().nCells(), true),
     activeCell_(grid.mesh().nCells(), true),
     films_(grid, wall)
@@ -164,24 +168,30 @@ Foam::fsi::openParts::openParts
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::openParts::update
+bool Foam::fsi::openParts::update
 (
     const levelSetUpdate& levelSet,
     const surfaceSet& surfaces
 )
 {
-    first_ = lastOpenness_.empty();
+    const bool hadWalls = hasWalls_;
+    first_ = !known_;
+    known_ = true;
+    hasWalls_ = overRanks(periodicImages::anyWalls(surfaces), orOp<bool>());
+    if (!first_ && !hadWalls && !hasWalls_)
+    {
+        lastOpenness_.clear();
+        return false;
+    }
     if (!first_)
     {
+        lastOpenness_.setSize(openness_.size());
         lastOpenness_.swap(openness_);
     }
     setOpenness(levelSet, surfaces);
-    if (first_)
-    {
-        lastOpenness_ = openness_;
-    }
     setCells(levelSet);
     swapCoupledCells(grid_.mesh(), fluidCell_, fluidAcross_);
+    return true;
 }
 
 

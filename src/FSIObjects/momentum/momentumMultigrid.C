@@ -33,13 +33,12 @@ Foam::fsi::momentumMultigrid::momentumMultigrid
 
 void Foam::fsi::momentumMultigrid::update
 (
-    const fvVectorMatrix& equation,
+    fvVectorMatrix& equation,
     redBlackMatrix& matrix
 )
 {
-    lduMatrix symmetric(equation.mesh());
-    scalarField& upper = symmetric.upper();
-    upper = equation.upper();
+    // In place: the matrix has taken the equation
+    scalarField& upper = equation.upper();
     if (equation.hasLower())
     {
         const scalarField& lower = equation.lower();
@@ -48,8 +47,7 @@ void Foam::fsi::momentumMultigrid::update
             upper[facei] = 0.5*(upper[facei] + lower[facei]);
         }
     }
-    scalarField& diagonal = symmetric.diag();
-    diagonal.setSize(matrix.nRows());
+    scalarField& diagonal = equation.diag();
     forAll(diagonal, celli)
     {
         const scalar* first = matrix.diagonal(matrix.row(celli));
@@ -73,7 +71,7 @@ void Foam::fsi::momentumMultigrid::update
     }
     multigrid_.update
     (
-        symmetric, across, equation.psi().boundaryField().scalarInterfaces()
+        equation, across, equation.psi().boundaryField().scalarInterfaces()
     );
 }
 
@@ -123,7 +121,7 @@ bool Foam::fsi::momentumMultigrid::pays
 
 void Foam::fsi::momentumMultigrid::solve
 (
-    const fvVectorMatrix& equation,
+    fvVectorMatrix& equation,
     redBlackMatrix& matrix,
     solverPerformance& result
 )

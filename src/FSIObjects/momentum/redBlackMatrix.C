@@ -4,6 +4,8 @@
 #include "redBlackMatrix.H"
 #include "sumOverRanks.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
@@ -18,8 +20,7 @@ void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
     const labelUList& nei = equation.lduAddr().upperAddr();
     const labelUList& ownerSlot = order_.ownerSlot();
     const labelUList& neighbourSlot = order_.neighbourSlot();
-    symmetric_ = 0;
-    antisymmetric_ = 0;
+    x_ = 0;
     forAll(own, facei)
     {
         const scalar a = upper[facei];
@@ -28,8 +29,9 @@ void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
         coefficient_[neighbourSlot[facei]] = b;
         for (const label celli : {own[facei], nei[facei]})
         {
-            symmetric_[celli] += 0.5*mag(a + b);
-            antisymmetric_[celli] += 0.5*mag(a - b);
+            scalar* sums = &x_[nDims_*row(celli)];
+            sums[0] += 0.5*mag(a + b);
+            sums[1] += 0.5*mag(a - b);
         }
     }
     const labelListList& patchSlot = order_.patchSlot();
@@ -44,25 +46,18 @@ void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
 }
 
 
-void Foam::fsi::redBlackMatrix::setDiagonal
-(
-    const fvVectorMatrix& equation,
-    const expectedChange& change
-)
+void Foam::fsi::redBlackMatrix::setDiagonal(const fvVectorMatrix& equation)
 {
     const scalarField& diagonal = equation.diag();
     const vectorField& source = equation.source();
-    const vectorField& U = equation.psi().primitiveField();
     const labelUList& rowOf = order_.rowOf();
     forAll(rowOf, celli)
     {
         const label place = nDims_*rowOf[celli];
-        const vector start(U[celli] + change[celli]);
         for (label d = 0; d < nDims_; ++d)
         {
             diagonal_[place + d] = diagonal[celli];
             source_[place + d] = source[celli][d];
-            x_[place + d] = start[d];
         }
     }
     forAll(internalCoeffsOf(equation), patchi)
@@ -88,11 +83,10 @@ void Foam::fsi::redBlackMatrix::setDiagonal
 void Foam::fsi::redBlackMatrix::setRelaxation()
 {
     radii_ = Zero;
-    forAll(symmetric_, celli)
+    for (label row = 0; row < nRows(); ++row)
     {
-        const scalar d = diagonal_[nDims_*order_.rowOf()[celli]];
-        radii_[0] = max(radii_[0], symmetric_[celli]/d);
-        radii_[1] = max(radii_[1], antisymmetric_[celli]/d);
+        radii_[0] = max(radii_[0], value(row)[0]/(*diagonal(row)));
+        radii_[1] = max(radii_[1], value(row)[1]/(*diagonal(row)));
     }
     combineOverRanks(radii_, maxEqOp<scalar>());
     const scalar squares = max(1 - sqr(radii_[0]), 0.0) + sqr(radii_[1]);
@@ -108,8 +102,6 @@ Foam::fsi::redBlackMatrix::redBlackMatrix(const cartesianMesh& grid)
     order_(grid),
     // Slots that no face has stay zero
     coefficient_(order_.nSlots()*order_.nCells(), 0),
-    symmetric_(order_.nCells()),
-    antisymmetric_(order_.nCells()),
     diagonal_(nDims_*order_.nCells()),
     source_(nDims_*order_.nCells()),
     x_(nDims_*order_.nRows(), 0),
@@ -135,8 +127,14 @@ void Foam::fsi::redBlackMatrix::set
 )
 {
     setCoefficients(equation);
-    setDiagonal(equation, change);
+    setDiagonal(equation);
     setRelaxation();
+    const vectorField& U = equation.psi().primitiveField();
+    forAll(U, celli)
+    {
+        const vector start(U[celli] + change[celli]);
+        std::copy_n(start.cdata(), nDims_, &x_[nDims_*row(celli)]);
+    }
     correction_ = 0;
 }
 

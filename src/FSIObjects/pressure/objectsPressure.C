@@ -52,6 +52,11 @@ void Foam::fsi::objectsPressure::updateMultigrid
 )
 {
     const auto interfaces = p.boundaryField().scalarInterfaces();
+    if (conductance_.none())
+    {
+        multigrid_.update(pEqn, boundaryCoeffsOf(pEqn), interfaces);
+        return;
+    }
 
     // Cells inside the objects conduct in the cycle, not in the equation,
     // whose cells that are not active have a diagonal of exactly zero

@@ -55,22 +55,33 @@ void Foam::fsi::addRotationalPart
 )
 {
     const cartesianMesh& grid = geometry.grid();
-    surfaceScalarField flux
-    (
-        IOobject("flux", nameOf(p.mesh().time()), p.mesh()),
-        p.mesh(),
-        dimensionedScalar(dimless, Zero)
-    );
-    subtractGradient
-    (
-        geometry,
-        volScalarField("change", p - last),
-        grid.spacing()/grid.faceArea(),
-        0,
-        flux
-    );
+    const surfaceScalarField& open = geometry.openArea();
+    const labelUList& own = p.mesh().owner();
+    const labelUList& nei = p.mesh().neighbour();
+    const scalarField change(p.primitiveField() - last.primitiveField());
     scalarField laplacian(p.size(), Zero);
-    subtractOutflow(flux, laplacian);
+    forAll(nei, facei)
+    {
+        const label a = own[facei], b = nei[facei];
+        const scalar g = open[facei]*(change[b] - change[a]);
+        laplacian[a] += g;
+        laplacian[b] -= g;
+    }
+    const scalar h = grid.spacing();
+    forAll(p.boundaryField(), patchi)
+    {
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
+        const scalarField g
+        (
+            h*open.boundaryField()[patchi]
+           *(normalGradient(pp) - normalGradient(last.boundaryField()[patchi]))
+        );
+        const labelUList& cells = pp.patch().faceCells();
+        forAll(g, i)
+        {
+            laplacian[cells[i]] += g[i];
+        }
+    }
 
     const scalar perNu = tau/sqr(grid.spacing());
     const boolList whole(wholeCells(geometry));

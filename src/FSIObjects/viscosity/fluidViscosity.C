@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidViscosity.H"
-#include "fvcGrad.H"
 #include "openfoamVersion.H"
 #include "sumOverRanks.H"
 #include "velocityGradient.H"
@@ -64,7 +63,7 @@ void Foam::fsi::fluidViscosity::makeFields()
             zeroGradientFvPatchScalarField::typeName
         )
     );
-    stress_.reset(new varyingStress(geometry_));
+    stress_.reset(new varyingStress(geometry_, more_()));
 }
 
 
@@ -121,7 +120,7 @@ void Foam::fsi::fluidViscosity::setStress(const scalar least)
     more_->correctBoundaryConditions();
     if (!law_)
     {
-        stress_->set(more_(), least);
+        stress_->set(least);
         return;
     }
     forAll(more_->boundaryField(), i)
@@ -132,7 +131,7 @@ void Foam::fsi::fluidViscosity::setStress(const scalar least)
             pm == law_->field().boundaryField()[i] - objects_.fluid().viscosity;
         }
     }
-    stress_->set(more_(), moreAtLinks_);
+    stress_->set(moreAtLinks_);
 }
 
 
@@ -227,17 +226,13 @@ void Foam::fsi::fluidViscosity::addTo(fvVectorMatrix& UEqn) const
     if (stress_.valid())
     {
         stress_->addDiffusion(UEqn);
-        // One component after the other: all of them take much memory
-        const volVectorField& U = UEqn.psi();
-        for (direction d = 0; d < geometry_.grid().nDims(); ++d)
+        if (law_)
         {
-            const tmp<volVectorField> tgradient
-            (
-                law_
-              ? ofComponent(gradient_(), d)
-              : fvc::grad(U.component(d), "grad(" + U.name() + ')')
-            );
-            stress_->addTransposed(tgradient(), d, UEqn);
+            stress_->addTransposed(gradient_(), UEqn);
+        }
+        else
+        {
+            stress_->addTransposed(UEqn);
         }
     }
 }

@@ -1,111 +1,80 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "varyingStress.H"
-#include "openfoamVersion.H"
 #include "openLaplacian.H"
+#include "swapCoupledCells.H"
+#include "transposedRows.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Gradient of the component d of the velocity
+inline static vector column(const tensor& gradient, const direction d)
+{
+    return vector(gradient[d], gradient[3 + d], gradient[6 + d]);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::varyingStress::addTransposedAtPatches
+void Foam::fsi::varyingStress::addTransposedAtPatch
 (
-    const volVectorField& gradient,
-    const direction d,
-    fvVectorMatrix& UEqn
+    const label patchi,
+    const UList<vector>& gradient,
+    vectorField& source
 ) const
 {
     const cartesianMesh& grid = geometry_.grid();
     const vectorField& area = more_.mesh().faceAreas();
-    const boolList& inFluid = geometry_.fluidCell();
-    vectorField& source = UEqn.source();
-    forAll(more_.boundaryField(), patchi)
+    const fvPatch& patch = more_.mesh().boundary()[patchi];
+    const scalarField more(atPatch(patchi));
+    const scalarField& open = geometry_.fluidFace().boundaryField()[patchi];
+    const label start = patch.start();
+    forAll(more, i)
     {
-        const fvsPatchScalarField& pm = more_.boundaryField()[patchi];
-        const fvPatchVectorField& pg = gradient.boundaryField()[patchi];
-        const vectorField outside
-        (
-            pg.coupled()
-          ? 0.5*(pg.patchInternalField() + pg.patchNeighbourField())
-          : tmp<vectorField>(pg)
-        );
-        const scalarField& open =
-            geometry_.fluidFace().boundaryField()[patchi];
-        const label start = pm.patch().start();
-        forAll(pm, i)
+        const label celli = patch.faceCells()[i];
+        if (geometry_.fluidCell()[celli])
         {
-            const label celli = pm.patch().faceCells()[i];
-            if (grid.faceDirection(start + i) == d && inFluid[celli])
-            {
-                source[celli] +=
-                    area[start + i][d]*(pm[i] - constant(celli)*open[i])
-                   *outside[i];
-            }
+            source[celli] +=
+                area[start + i][grid.faceDirection(start + i)]
+               *(more[i] - constant(celli)*open[i])*gradient[i];
         }
     }
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+Foam::scalar Foam::fsi::varyingStress::atFace(const label facei) const
+{
+    const label a = more_.mesh().owner()[facei];
+    const label b = more_.mesh().neighbour()[facei];
+    return geometry_.fluidFace()[facei]*0.5*(more_[a] + more_[b]);
+}
 
-Foam::fsi::varyingStress::varyingStress(const interfaceGeometry& geometry)
-:
-    geometry_(geometry),
-    more_
-    (
-        IOobject
-        (
-            "moreViscosityAtFaces",
-            nameOf(geometry.grid().mesh().time()),
-            geometry.grid().mesh()
-        ),
-        geometry.grid().mesh(),
-        dimensionedScalar(dimVelocity*dimLength, Zero)
-    ),
-    least_(0)
-{}
+
+Foam::tmp<Foam::scalarField> Foam::fsi::varyingStress::atPatch
+(
+    const label patchi
+) const
+{
+    const fvPatchScalarField& pm = more_.boundaryField()[patchi];
+    return
+        geometry_.fluidFace().boundaryField()[patchi]
+       *(
+            pm.coupled()
+          ? 0.5*(pm.patchInternalField() + pm.patchNeighbourField())
+          : tmp<scalarField>(pm)
+        );
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::varyingStress::set
-(
-    const volScalarField& more,
-    const scalar least
-)
-{
-    least_ = least;
-    const surfaceScalarField& fluidFace = geometry_.fluidFace();
-    const labelUList& own = more.mesh().owner();
-    const labelUList& nei = more.mesh().neighbour();
-    forAll(more_, facei)
-    {
-        more_[facei] =
-            fluidFace[facei]*0.5*(more[own[facei]] + more[nei[facei]]);
-    }
-    forAll(more.boundaryField(), patchi)
-    {
-        const fvPatchScalarField& pm = more.boundaryField()[patchi];
-        more_.boundaryFieldRef()[patchi] ==
-            fluidFace.boundaryField()[patchi]
-           *(
-                pm.coupled()
-              ? 0.5*(pm.patchInternalField() + pm.patchNeighbourField())
-              : tmp<scalarField>(pm)
-            );
-    }
-}
-
-
-void Foam::fsi::varyingStress::set
-(
-    const volScalarField& more,
-    const scalarField& moreAtLinks
-)
-{
-    set(more, scalar(0));
-    moreAtLinks_ = moreAtLinks;
-    ofCells_ = more;
-}
-
 
 void Foam::fsi::varyingStress::addDiffusion(fvVectorMatrix& UEqn) const
 {
@@ -119,7 +88,7 @@ void Foam::fsi::varyingStress::addDiffusion(fvVectorMatrix& UEqn) const
     const labelUList& nei = mesh.neighbour();
     forAll(upper, facei)
     {
-        const scalar g = perLength*more_[facei];
+        const scalar g = perLength*atFace(facei);
         if (g != 0)
         {
             upper[facei] -= g;
@@ -130,16 +99,15 @@ void Foam::fsi::varyingStress::addDiffusion(fvVectorMatrix& UEqn) const
     }
     forAll(more_.boundaryField(), patchi)
     {
-        const fvsPatchScalarField& pm = more_.boundaryField()[patchi];
-        addPatchDiffusion(patchi, pm*pm.patch().magSf(), UEqn);
+        const fvPatch& patch = mesh.boundary()[patchi];
+        addPatchDiffusion(patchi, atPatch(patchi)*patch.magSf(), UEqn);
     }
 }
 
 
 void Foam::fsi::varyingStress::addTransposed
 (
-    const volVectorField& gradient,
-    const direction d,
+    const volTensorField& gradient,
     fvVectorMatrix& UEqn
 ) const
 {
@@ -149,33 +117,98 @@ void Foam::fsi::varyingStress::addTransposed
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
     vectorField& source = UEqn.source();
-    const vectorField& area = mesh.faceAreas();
-    forAll(more_, facei)
+    forAll(nei, facei)
     {
         const label a = own[facei], b = nei[facei];
-        if (grid.faceDirection(facei) != d || !inFluid[a] || !inFluid[b])
+        if (!inFluid[a] || !inFluid[b])
         {
             continue;
         }
-        const scalar ofA = more_[facei] - constant(a);
-        const scalar ofB = more_[facei] - constant(b);
+        const scalar more = atFace(facei);
+        const scalar ofA = more - constant(a);
+        const scalar ofB = more - constant(b);
         if (ofA != 0 || ofB != 0)
         {
-            const vector sum(gradient[a] + gradient[b]);
-            source[a] += 0.5*area[facei][d]*ofA*sum;
-            source[b] -= 0.5*area[facei][d]*ofB*sum;
+            const direction d = grid.faceDirection(facei);
+            const scalar half = 0.5*mesh.faceAreas()[facei][d];
+            const vector sum(column(gradient[a], d) + column(gradient[b], d));
+            source[a] += half*ofA*sum;
+            source[b] -= half*ofB*sum;
         }
     }
-    addTransposedAtPatches(gradient, d, UEqn);
+    forAll(more_.boundaryField(), patchi)
+    {
+        const fvPatchTensorField& pg = gradient.boundaryField()[patchi];
+        const tensorField outside
+        (
+            pg.coupled()
+          ? 0.5*(pg.patchInternalField() + pg.patchNeighbourField())
+          : tmp<tensorField>(pg)
+        );
+        vectorField columns(outside.size());
+        forAll(columns, i)
+        {
+            columns[i] =
+                column(outside[i], grid.faceDirection(pg.patch().start() + i));
+        }
+        addTransposedAtPatch(patchi, columns, source);
+    }
     forAll(moreAtLinks_, i)
     {
         const wallLink& link = geometry_.wallLinks()[i];
-        if (link.dir == d)
+        source[link.cell] +=
+            (link.upwards ? 1 : -1)*grid.faceArea()
+           *(moreAtLinks_[i] - constant(link.cell))
+           *column(gradient[link.cell], link.dir);
+    }
+}
+
+
+void Foam::fsi::varyingStress::addTransposed
+(
+    fvVectorMatrix& UEqn
+) const
+{
+    const cartesianMesh& grid = geometry_.grid();
+    const volVectorField& U = UEqn.psi();
+    const label nInternal = grid.mesh().nInternalFaces();
+    vectorField& source = UEqn.source();
+    const transposedRows rows(grid, U, more_, least_, geometry_.fluidCell());
+    rows.add(source);
+
+    // Gradients on this side of the patches, and across
+    vectorField mine(grid.mesh().nFaces() - nInternal, Zero), across;
+    for (const fvPatchVectorField& pU : U.boundaryField())
+    {
+        forAll(pU, i)
         {
-            source[link.cell] +=
-                (link.upwards ? 1 : -1)*grid.faceArea()
-               *(moreAtLinks_[i] - constant(link.cell))*gradient[link.cell];
+            const label facei = pU.patch().start() + i;
+            const direction d = grid.faceDirection(facei);
+            const label celli = pU.patch().faceCells()[i];
+            vector& g = mine[facei - nInternal];
+            g = rows.gradient(celli, d);
+            if (!pU.coupled())
+            {
+                g[d] =
+                    (grid.faceAlong(facei) ? 2 : -2)
+                   *(pU[i][d] - U[celli][d])/grid.spacing();
+            }
         }
+    }
+    swapCoupledFaces(grid.mesh(), mine, across);
+    forAll(U.boundaryField(), patchi)
+    {
+        const fvPatchVectorField& pU = U.boundaryField()[patchi];
+        SubList<vector> gradient
+        (
+            mine, pU.size(), pU.patch().start() - nInternal
+        );
+        for (label i = 0; i < pU.size() && pU.coupled(); ++i)
+        {
+            const label facei = pU.patch().start() + i - nInternal;
+            gradient[i] = 0.5*(gradient[i] + across[facei]);
+        }
+        addTransposedAtPatch(patchi, gradient, source);
     }
 }
 

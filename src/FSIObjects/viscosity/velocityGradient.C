@@ -230,38 +230,4 @@ Foam::tensor Foam::fsi::gradientAtWall
 }
 
 
-Foam::tmp<Foam::volVectorField> Foam::fsi::ofComponent
-(
-    const volTensorField& gradient,
-    const direction d
-)
-{
-    const fvMesh& mesh = gradient.mesh();
-    auto tresult = newTmp<volVectorField>
-    (
-        IOobject("gradientOfComponent", nameOf(mesh.time()), mesh),
-        mesh,
-        dimensionedVector(dimless/dimTime, Zero),
-        extrapolatedCalculatedFvPatchVectorField::typeName
-    );
-    volVectorField& result = tresult.ref();
-    const auto set = [&](const tensorField& tensors, vectorField& vectors)
-    {
-        forAll(tensors, i)
-        {
-            const tensor& t = tensors[i];
-            vectors[i] = vector(t[d], t[3 + d], t[6 + d]);
-        }
-    };
-    set(gradient.primitiveField(), result.primitiveFieldRef());
-    result.correctBoundaryConditions();
-    forAll(result.boundaryField(), patchi)
-    {
-        const tensorField& tensors = gradient.boundaryField()[patchi];
-        set(tensors, result.boundaryFieldRef()[patchi]);
-    }
-    return tresult;
-}
-
-
 // ************************************************************************* //

@@ -79,8 +79,9 @@ void Foam::fsi::insideFraction::setBox(const UList<point>& points)
     {
         const vector place((points[i] - origin)*perLength);
         corners_[i].x = place.x() - first_.x();
-        corners_[i].y = std::llround(perCell*(place.y() - first_.y()));
-        corners_[i].z = std::llround(perCell*(place.z() - first_.z()));
+        // Neither is negative
+        corners_[i].y = int64_t(perCell*(place.y() - first_.y()) + 0.5);
+        corners_[i].z = int64_t(perCell*(place.z() - first_.z()) + 0.5);
     }
 }
 
