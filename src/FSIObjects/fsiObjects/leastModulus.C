@@ -1,33 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "leastModulus.H"
-#include "cartesianMesh.H"
 #include "population.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
 Foam::scalar Foam::fsi::leastModulus
 (
-    const population& bodies,
-    const cartesianMesh& grid
+    const population& bodies
 )
 {
-    const PtrList<bodyGroup>& groups = bodies.groups();
-    // A step of zero is refused later, with its entry
-    const scalar deltaT = grid.mesh().time().deltaTValue();
-    const scalar speed = grid.spacing()/max(deltaT, SMALL);
     scalar least = GREAT, leastFree = GREAT;
-    for (const bodyGroup& group : groups)
+    for (const bodyGroup& group : bodies.groups())
     {
-        if (!group.hasWalls())
+        if (!group.hasWalls() || group.shape().rigid())
         {
             continue;
         }
-        const shapeTemplate& shape = group.shape();
-        const scalar modulus =
-            shape.rigid()
-          ? shape.density()*sqr(speed)
-          : shape.youngsModulus();
+        const scalar modulus = group.shape().youngsModulus();
         least = min(least, modulus);
         if (group.movesFreely())
         {
@@ -38,8 +28,7 @@ Foam::scalar Foam::fsi::leastModulus
     {
         return leastFree;
     }
-    // Without shapes nothing touches, and any value will do
-    return least < GREAT ? least : 1;
+    return least < GREAT ? least : 0;
 }
 
 

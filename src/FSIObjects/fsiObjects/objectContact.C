@@ -13,10 +13,7 @@ void Foam::fsi::objectContact::findAxis()
 {
     if (!axis_.valid())
     {
-        axis_.reset
-        (
-            new medialAxis(contact_.range(), grid_.spacing())
-        );
+        axis_.reset(new medialAxis(contact_.range(), grid_.spacing()));
     }
     axis_->update(surfaces(), grid_.cells(1));
 
@@ -128,10 +125,9 @@ void Foam::fsi::objectContact::setRanges()
 void Foam::fsi::objectContact::keepRanges()
 {
     const scalarField& ranges = contact_.ranges();
-    for (label objecti = 0; objecti < bodies_.size(); ++objecti)
+    for (label i = 0; i < bodies_.size(); ++i)
     {
-        contactRange(objecti) =
-            ranges[objecti] < contact_.range() ? ranges[objecti] : -1;
+        contactRange(i) = ranges[i] < contact_.range() ? ranges[i] : -1;
     }
 }
 
@@ -172,7 +168,7 @@ Foam::fsi::objectContact::objectContact
         properties.subOrEmptyDict("contact"),
         grid.nDims(),
         grid.spacing(),
-        leastModulus(bodies, grid),
+        leastModulus(bodies),
         viscosity,
         sides.images()
     ),
@@ -197,6 +193,8 @@ void Foam::fsi::objectContact::calculate
     setRanges();
     prepareSearch();
     const vectorField start(lessStandstill(surfaces().velocities(), step));
+    contactStep times(step.tau, step.dt, implicitness(step.dt), &start);
+    times.rebound = keptSpeed(step.dt);
     contact_.calculate
     (
         surfaces(),
@@ -204,7 +202,7 @@ void Foam::fsi::objectContact::calculate
         nodes_,
         walls_,
         axisPoints_,
-        contactStep(step.tau, step.dt, implicitness(step.dt), &start),
+        times,
         force_
     );
     keepRanges();

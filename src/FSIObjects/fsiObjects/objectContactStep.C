@@ -20,12 +20,8 @@ Foam::tmp<Foam::vectorField> Foam::fsi::objectContact::lessStandstill
 
 Foam::scalar Foam::fsi::objectContact::implicitness(const scalar dt) const
 {
-    // In a step of second order impulses act on bodies that have turned, and
-    // do other work than gaps give where theta is less
-    return
-        start_.valid()
-      ? 1
-      : 1 - 0.5*std::exp(-viscosity_*dt/sqr(grid_.spacing()));
+    // In a step of second order impulses act on bodies that have turned
+    return start_.valid() ? 1 : 1 - 0.5*keptSpeed(dt);
 }
 
 

@@ -201,7 +201,7 @@ void Foam::fsi::cutFaces::addFilms()
                 wallFace& w = wallFaces_[wallFaces_.size() - 1];
                 w.area = film.closed[side]*mag(faceAreas[facei]);
                 w.film = true;
-                w.place = film.places[side];
+                w.place = film.sides[side].place;
                 wallOrigins_.append(film.origins[side]);
             }
         }

@@ -16,100 +16,16 @@ namespace fsi
 //- Largest thickness of a film, in cells: the mesh resolves wider ones
 static const scalar widest = 1.5;
 
-//- Least cosine between the normals of two surfaces that do not face each other
-static const scalar sideways = -0.1;
-
 } // End namespace fsi
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::filmFaces::setSamples
-(
-    const FixedList<const surfaceSamples*, 2>& all,
-    const label facei,
-    const label here,
-    pair& p
-) const
-{
-    const label nCorners = grid_.nDims() == 2 ? 2 : 4;
-    const FixedList<label, 4> corners = grid_.cornersOf(facei);
-    for (label i = 0; i < nCorners; ++i)
-    {
-        p.samples[i] = {all[0], corners[i]};
-    }
-    for (const label at : {here, here + grid_.stepAcross(facei)})
-    {
-        p.samples[nCorners + (at != here)] = {all[1], at};
-    }
-    p.nSamples = nCorners + 2;
-}
-
-
-Foam::scalar Foam::fsi::filmFaces::choose
-(
-    const surfaceSet& surfaces,
-    pair& p
-)
-{
-    scalar least = GREAT;
-    for (label i = 0; i < p.nSamples; ++i)
-    {
-        const surfaceSample& s = p.samples[i];
-        const label nearest = s.nearestFace();
-        const label second = s.secondFace();
-        if (nearest < 0)
-        {
-            // A sample beyond the band: there is no narrow film
-            return GREAT;
-        }
-        if (second < 0)
-        {
-            continue;
-        }
-        const vector normal(surfaces.areaNormal(nearest));
-        const vector other(surfaces.areaNormal(second));
-        if ((normal & other) > sideways*mag(normal)*mag(other))
-        {
-            // One surface goes on in the other, as in a periodic image
-            continue;
-        }
-        const label object = surfaces.faceObject()[second];
-        scalar away;
-        label face;
-        if
-        (
-            s.distance() + s.secondDistance() < least
-         && s.from(surfaces, object, away, face)
-        )
-        {
-            least = s.distance() + away;
-            p.objects[0] = surfaces.faceObject()[nearest];
-            p.objects[1] = object;
-        }
-    }
-    for (label i = 0; i < p.nSamples; ++i)
-    {
-        const surfaceSample& s = p.samples[i];
-        if
-        (
-            s.distance() <= 0
-         && !p.objects.found(surfaces.faceObject()[s.nearestFace()])
-        )
-        {
-            // A third object covers a part of the face
-            return GREAT;
-        }
-    }
-    return least;
-}
-
-
 void Foam::fsi::filmFaces::measure
 (
     const surfaceSet& surfaces,
-    const pair& p,
+    const filmSearch::pair& p,
     filmFace& film
 ) const
 {
@@ -122,9 +38,9 @@ void Foam::fsi::filmFaces::measure
         FixedList<scalar, 2> d;
         label face;
         const bool first =
-            p.samples[i].from(surfaces, p.objects[0], d[0], face);
+            filmSearch::from(grid_, surfaces, p, i, 0, d[0], face);
         const bool second =
-            p.samples[i].from(surfaces, p.objects[1], d[1], face);
+            filmSearch::from(grid_, surfaces, p, i, 1, d[1], face);
         if (first && second)
         {
             sum += d[0] + d[1];
@@ -142,9 +58,12 @@ void Foam::fsi::filmFaces::measure
     for (label side = 0; side < 2; ++side)
     {
         const FixedList<scalar, 4>& d = corners[side];
+        const bool wall = p.objects[side] < 0;
         film.closed[side] =
-            1 - (nCorners == 2 ? openSegment(d[0], d[1]) : openSquare(d));
-        crosses = crosses && film.closed[side] > 0;
+            wall
+          ? 0
+          : 1 - (nCorners == 2 ? openSegment(d[0], d[1]) : openSquare(d));
+        crosses = crosses && (wall || film.closed[side] > 0);
     }
 
     // A film that crosses the face is not closed by errors of the corners'
@@ -204,7 +123,8 @@ Foam::fsi::filmFaces::filmFaces
 :
     grid_(grid),
     wall_(wall),
-    place_(grid.mesh().nFaces(), -1)
+    place_(grid.mesh().nFaces(), -1),
+    search_(grid)
 {}
 
 
@@ -240,13 +160,14 @@ void Foam::fsi::filmFaces::update
     const surfaceSamples atCentres(surfaceSamples::centres(levelSet, grid_));
     const scalar limit = 1.01*widest*grid_.spacing();
     const labelList& second = levelSet.centreSamples().secondFace();
-    pair p;
+    filmSearch::pair p;
     for (const label facei : nearFaces)
     {
         const label here = haloIndex[owner[facei]];
+        const bool two = second[here] >= 0;
         if
         (
-            second[here] < 0
+            (!two && !search_.besideWall(owner[facei]))
          || (
                 facei >= mesh.nInternalFaces()
              && !patches[patches.whichPatch(facei)].coupled()
@@ -255,8 +176,18 @@ void Foam::fsi::filmFaces::update
         {
             continue;
         }
-        setSamples({&atCorners, &atCentres}, facei, here, p);
-        if (choose(surfaces, p) >= limit)
+        filmSearch::setSamples
+        (
+            grid_, {&atCorners, &atCentres}, facei, here, p
+        );
+        const scalar between = two ? filmSearch::choose(surfaces, p) : GREAT;
+        const bool wall =
+            search_.besideWall(owner[facei])
+         && search_.chooseWall
+            (
+                grid_, surfaces, facei, min(between, grid_.spacing()), p
+            );
+        if (!wall && between >= limit)
         {
             continue;
         }

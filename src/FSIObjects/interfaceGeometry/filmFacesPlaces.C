@@ -51,7 +51,7 @@ Foam::point Foam::fsi::filmFaces::openMiddle
     scalar n = 0;
     for (label a = 0; a < nCorners; ++a)
     {
-        if (distances[0][a] > 0 && distances[1][a] > 0)
+        if (distances[0][a] > 0 && distances[1][a] >= 0)
         {
             sum += corners.position(around[a]);
             n += 1;
@@ -72,7 +72,7 @@ void Foam::fsi::filmFaces::place
 (
     const surfaceSet& surfaces,
     const cartesianBlock& corners,
-    const pair& p,
+    const filmSearch::pair& p,
     filmFace& film
 ) const
 {
@@ -83,18 +83,29 @@ void Foam::fsi::filmFaces::place
     {
         for (label i = 0; i < p.nSamples; ++i)
         {
-            p.samples[i].from
+            filmSearch::from
             (
+                grid_,
                 surfaces,
-                p.objects[side],
+                p,
+                i,
+                side,
                 distances[side][i],
                 faces[side][i]
             );
         }
-        setCut
-        (
-            corners, nCorners, distances[side], film.face, film.origins[side]
-        );
+        film.origins[side].cut = false;
+        if (p.objects[side] >= 0)
+        {
+            setCut
+            (
+                corners,
+                nCorners,
+                distances[side],
+                film.face,
+                film.origins[side]
+            );
+        }
     }
 
     const point middle(openMiddle(corners, nCorners, distances, film));
@@ -102,8 +113,16 @@ void Foam::fsi::filmFaces::place
     FixedList<scalar, 3> weights;
     for (label side = 0; side < 2; ++side)
     {
+        if (p.objects[side] < 0)
+        {
+            const direction d = grid_.faceDirection(p.wallFace);
+            film.sides[side].wallFace = p.wallFace;
+            at[side] = middle;
+            at[side][d] = grid_.mesh().faceCentres()[p.wallFace][d];
+            continue;
+        }
         label& face = film.origins[side].surface;
-        film.places[side] = nearestPlace
+        film.sides[side].place = nearestPlace
         (
             surfaces,
             middle,

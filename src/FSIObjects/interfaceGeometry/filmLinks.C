@@ -51,7 +51,7 @@ void Foam::fsi::filmLinks::addLink
     for (label side = 0; side < 2; ++side)
     {
         label found;
-        link.places[side] = nearestPlace
+        link.sides[side].place = nearestPlace
         (
             surfaces,
             (1 - leaves[side])*centres[side] + leaves[side]*centres[1 - side],
@@ -62,6 +62,42 @@ void Foam::fsi::filmLinks::addLink
     }
     const scalar width =
         max(1 - leaves[0] - leaves[1], filmFaces::thinnest);
+    link.conductance = grid.faceArea()/(width*grid.spacing());
+    links_.append(link);
+}
+
+
+void Foam::fsi::filmLinks::addWallLink
+(
+    const surfaceSamples& all,
+    const surfaceSet& surfaces,
+    const label facei,
+    const label here
+)
+{
+    const cartesianMesh& grid = open_.grid();
+    const surfaceSample sample{&all, here};
+    const point centre(all.block.position(here));
+    const point wall(grid.mesh().faceCentres()[facei]);
+    const label nearest = sample.nearestFace();
+    FixedList<scalar, 3> weights;
+    const scalar outside =
+        mag(wall - surfaces.nearestOnFace(nearest, wall, weights));
+    const scalar inside = -sample.distance();
+    const scalar leaves = inside/max(inside + outside, VSMALL);
+
+    filmLink link;
+    label found;
+    link.sides[0].place = nearestPlace
+    (
+        surfaces,
+        (1 - leaves)*centre + leaves*wall,
+        nearest,
+        -1,
+        found
+    );
+    link.sides[1].wallFace = facei;
+    const scalar width = max(0.5*(1 - leaves), filmFaces::thinnest);
     link.conductance = grid.faceArea()/(width*grid.spacing());
     links_.append(link);
 }
@@ -99,11 +135,21 @@ void Foam::fsi::filmLinks::update
     {
         const label here = haloIndex[owner[facei]];
         const label there = here + grid.stepAcross(facei);
+        if (distance[here] > 0 || nearest[here] < 0)
+        {
+            continue;
+        }
+        if (open_.films().isWall(facei))
+        {
+            if (open_.openness()[facei] > 0)
+            {
+                addWallLink(centres, surfaces, facei, here);
+            }
+            continue;
+        }
         if
         (
-            distance[here] > 0
-         || distance[there] > 0
-         || nearest[here] < 0
+            distance[there] > 0
          || nearest[there] < 0
          || surfaces.faceObject()[nearest[here]]
          == surfaces.faceObject()[nearest[there]]

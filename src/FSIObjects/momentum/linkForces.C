@@ -75,9 +75,12 @@ void Foam::fsi::setCopyLinks
     }
     for (const filmLink& link : geometry.betweenSurfaces())
     {
-        for (const surfacePlace& place : link.places)
+        for (const filmSide& side : link.sides)
         {
-            add(place, 2*link.conductance);
+            if (!side.isWall())
+            {
+                add(side.place, 2*link.conductance);
+            }
         }
     }
     bodies.ranks().collect(numbers);

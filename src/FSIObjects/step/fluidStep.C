@@ -15,6 +15,7 @@
 void Foam::fsi::fluidStep::updateGeometry()
 {
     geometry_.update(objects_.levelSet(), objects_.surfaces());
+    geometry_.setWallVelocities(U_);
     walls_.update(objects_.bodies().surfaces());
 }
 

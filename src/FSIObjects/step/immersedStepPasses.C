@@ -16,6 +16,7 @@ void Foam::fsi::immersedStep::solveMomentum
 )
 {
     tmp<fvVectorMatrix> UEqn(momentum(convectiveFlux, gradient_(), sources));
+    geometry_.setWallVelocities(U_);
     membranes_.addTo(UEqn.ref());
     if (countsLayer())
     {

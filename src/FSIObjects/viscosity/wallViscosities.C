@@ -11,15 +11,15 @@ namespace
 using namespace Foam;
 using namespace Foam::fsi;
 
-//- Shear rate between two places at a distance
+//- Shear rate between the sides of a film at a distance
 scalar slideRate
 (
-    const FixedList<surfacePlace, 2>& places,
+    const FixedList<filmSide, 2>& sides,
     const scalar distance,
     const vectorField& v
 )
 {
-    return mag(places[0].interpolate(v) - places[1].interpolate(v))/distance;
+    return mag(sides[0].velocity(v) - sides[1].velocity(v))/distance;
 }
 
 
@@ -79,7 +79,7 @@ void Foam::fsi::setWallViscosities
             Foam::hypot
             (
                 6*(u - film.velocity(v))/film.gap,
-                slideRate(film.places, film.gap, v)
+                slideRate(film.sides, film.gap, v)
             )
         );
     }
@@ -90,7 +90,7 @@ void Foam::fsi::setWallViscosities
     {
         rates.append
         (
-            slideRate(link.places, grid.faceArea()/link.conductance, v)
+            slideRate(link.sides, grid.faceArea()/link.conductance, v)
         );
     }
     law.viscosity(rates, nu[2]);

@@ -109,7 +109,7 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
     return
     {
         surfaces, velocities, bodies, pairs, film_(), scales_.range, step_,
-        exchange_
+        exchange_, rigidTouch() ? minimumGap_ : 0, 0.5*scales_.spacing
     };
 }
 

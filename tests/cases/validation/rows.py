@@ -35,6 +35,10 @@ KEPT = 0.0021
 # time step
 FIXED = 0.01
 
+# A polygon is up to 0.03 h farther from a wall than the circle about it: at the
+# gap h/3 the resistance, (R/g)^1.5, is 14 % less
+POLYGON = 0.14
+
 # A disc that moves at 8 cells per diameter; solids4foam is 5 % off at 10
 MOVING = 0.05
 
@@ -56,15 +60,6 @@ def check_order(report, coarse, fine):
           f"order {order:.2f}")
     report.check(f"{fine.what}: first order at least", order >= 1,
                  f"order {order:.2f}")
-
-
-def check_film(report, without, with_film):
-    """Lubrication replaces more than half of what the mesh lacks."""
-    errors = [abs(row.value - row.reference) for row in (without, with_film)]
-    print(f"    {with_film.what}: {with_film.value:.4g}, {without.value:.4g} "
-          f"without, exact {with_film.reference:.4g}")
-    report.check("lubrication in gaps below a cell", errors[1] < 0.5*errors[0],
-                 f"errors {errors}")
 
 
 def main(folder):
@@ -101,9 +96,9 @@ def main(folder):
         print(f"    {row.what}, {row.grid}: {row.value:.6g}")
         report.check("cut faces keep their history", row.value > KEPT,
                      f"elastic energy {row.value:.6g}, not above {KEPT}")
-    films = rows(lubrication.film, 2)
-    if films:
-        check_film(report, *films)
+    row = report.attempt("film", lubrication.approach, 2, 1, 10)
+    if row:
+        check(report, row, POLYGON)
     for row in rows(discs.stokes, 1):
         check(report, row, COARSE)
     for row in rows(cylinder.translating, 1):

@@ -172,7 +172,8 @@ TEST(ContactLaw, badInput)
     {
         EXPECT_THROW(contact(dictOf(text), 2, 0.1, 50), Foam::IOerror) << text;
     }
-    EXPECT_THROW(contact(dictOf(""), 2, 0.1, 0), Foam::IOerror);
+    const char* adhesive = "law { type Morse; adhesionEnergy 1; }";
+    EXPECT_THROW(contact(dictOf(adhesive), 2, 0.1, 0), Foam::IOerror);
 }
 
 

@@ -92,6 +92,35 @@ TEST(ContactRigid, keepsMomentumAddsNoEnergyParts)
 }
 
 
+TEST(ContactRigid, touchWithoutAStiffness)
+{
+    for (const scalar e : {1.0, 0.8, 0.5})
+    {
+        const std::string text
+        (
+            "law { restitution " + std::to_string(e) + "; }"
+        );
+        for (const scalar offset : {0.0, 0.7, 1.5})
+        {
+            for (const scalar courant : {0.02, 0.1, 0.5})
+            {
+                rigidBodies world(headOn(offset));
+                contact law(dictionary(IStringStream(text)()), 2, h, 0);
+                const collision c(world, law, courant*h/0.5, 12);
+                EXPECT_LT(c.energyRatio, 1 + 1e-10);
+                EXPECT_LT(c.momentumError, 1e-12);
+                EXPECT_GT(c.gap, 0.05*h);
+                EXPECT_GT(c.after, 0.9*e*(1 - offset/2)*c.before);
+                if (offset == 0)
+                {
+                    EXPECT_NEAR(c.after, e*c.before, 0.01*c.before);
+                }
+            }
+        }
+    }
+}
+
+
 TEST(ContactRigid, restitutionAsEnteredAtAnyStep)
 {
     const scalar density = 1/constant::mathematical::pi;

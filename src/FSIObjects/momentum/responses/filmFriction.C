@@ -34,9 +34,9 @@ Foam::scalar Foam::fsi::filmFriction::relax
     forAll(*links_, i)
     {
         vector change(-middle_[i]);
-        for (const surfacePlace& place : (*links_)[i].places)
+        for (const filmSide& side : (*links_)[i].sides)
         {
-            change += 0.5*place.interpolate(v);
+            change += 0.5*side.velocity(v);
         }
         squares += magSqr(scale*(2*parts_[i]*change));
         middle_[i] += relaxation*change;
@@ -53,12 +53,9 @@ void Foam::fsi::filmFriction::addForce
 {
     forAll(*links_, i)
     {
-        for (const surfacePlace& place : (*links_)[i].places)
+        for (const filmSide& side : (*links_)[i].sides)
         {
-            place.spread
-            (
-                force.mine(), vector(density*parts_[i]*middle_[i])
-            );
+            side.spread(force.mine(), density*parts_[i]*middle_[i]);
         }
     }
 }
@@ -73,14 +70,13 @@ void Foam::fsi::filmFriction::addForce
 {
     forAll(*links_, i)
     {
-        const FixedList<surfacePlace, 2>& places = (*links_)[i].places;
+        const FixedList<filmSide, 2>& sides = (*links_)[i].sides;
         const vector half
         (
-            0.5*density*parts_[i]
-           *(places[1].interpolate(v) - places[0].interpolate(v))
+            0.5*density*parts_[i]*(sides[1].velocity(v) - sides[0].velocity(v))
         );
-        places[0].spread(force.mine(), half);
-        places[1].spread(force.mine(), vector(-half));
+        sides[0].spread(force.mine(), half);
+        sides[1].spread(force.mine(), -half);
     }
 }
 

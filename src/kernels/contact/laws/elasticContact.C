@@ -25,12 +25,21 @@ Foam::fsi::elasticContact::elasticContact
 (
     const dictionary& dict,
     const contactScales& scales,
-    const scalar reach
+    const scalar reach,
+    const bool rigidTouch
 )
 :
     potentialContact(dict, scales),
-    stiffness_(readPositive(dict, "stiffness", scales.youngsModulus)),
-    reach_(reach)
+    stiffness_
+    (
+        rigidTouch
+      ? scales.youngsModulus
+      : scales.youngsModulus > 0
+      ? readPositive(dict, "stiffness", scales.youngsModulus)
+      : readPositive(dict, "stiffness")
+    ),
+    reach_(reach),
+    rigidTouch_(rigidTouch)
 {}
 
 
@@ -40,7 +49,13 @@ Foam::fsi::elasticContact::elasticContact
     const contactScales& scales
 )
 :
-    elasticContact(dict, scales, scales.range)
+    elasticContact
+    (
+        dict,
+        scales,
+        scales.range,
+        scales.youngsModulus <= 0 && !dict.found("stiffness")
+    )
 {
     checkKeys(dict, keys({"stiffness"}));
 }

@@ -206,6 +206,10 @@ Foam::scalar Foam::fsi::potentialContact::potentialEnergy
     scalar sum = 0;
     for (const contactPair& pair : problem.found.pairs)
     {
+        if (problem.touching > 0 && problem.rigid(pair))
+        {
+            continue;
+        }
         const scalar gap = pair.stretch*problem.startGap(pair);
         sum += problem.area(pair)/pair.stretch*energy(gap);
     }

@@ -26,7 +26,12 @@ Foam::fsi::thesisContact::thesisContact
     const contactScales& scales
 )
 :
-    stiffness_(readPositive(dict, "stiffness", scales.youngsModulus)),
+    stiffness_
+    (
+        scales.youngsModulus > 0
+      ? readPositive(dict, "stiffness", scales.youngsModulus)
+      : readPositive(dict, "stiffness")
+    ),
     restLength_(readPositive(dict, "restLength", 2)*scales.range),
     cancel_(dict.lookupOrDefault<Switch>("cancel", true)),
     warned_(false)

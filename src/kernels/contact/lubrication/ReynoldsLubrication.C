@@ -33,7 +33,12 @@ Foam::fsi::ReynoldsLubrication::ReynoldsLubrication
     ),
     cutOff_(readPositive(dict, "cutOff", 1)*scales.spacing),
     roughness_(readPositive(dict, "roughness", 0.01)*scales.spacing),
-    largestPull_(readNonNegative(dict, "pull", 0.1)*scales.youngsModulus),
+    largestPull_
+    (
+        scales.youngsModulus > 0
+      ? readNonNegative(dict, "pull", 0.1)*scales.youngsModulus
+      : GREAT
+    ),
     surfaces_(nullptr)
 {
     checkKeys(dict, {"type", "viscosity", "cutOff", "roughness", "pull"});

@@ -114,6 +114,26 @@ Foam::scalar Foam::fsi::contactBodies::coupling
 }
 
 
+Foam::scalar Foam::fsi::contactBodies::share
+(
+    const surfaceSet& surfaces,
+    const label objecti,
+    const contactPair& pair,
+    const label k
+) const
+{
+    scalar sum =
+        surfaces.pointObject()[pair.node] == objecti
+      ? mode(pair.node, k) & pair.normal
+      : 0;
+    for (label i = 0; pair.other == objecti && i < surfaces.nNodes(); ++i)
+    {
+        sum -= mode(surfaces.faces()[pair.face][i], k) & pair.share(i);
+    }
+    return sum;
+}
+
+
 Foam::scalar Foam::fsi::contactBodies::restDistance
 (
     const surfaceSet& surfaces,

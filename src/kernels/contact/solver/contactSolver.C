@@ -27,6 +27,10 @@ Foam::scalar Foam::fsi::contactSolver::relax
     {
         return pair.component > 0 ? 0 : relaxFriction(problem, pairi);
     }
+    if (patches_.has(pairi))
+    {
+        return relaxPatch(problem, pairi);
+    }
     const scalar compliance = compliances_[pairi];
     if (compliance < VSMALL)
     {
@@ -174,6 +178,7 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
         addedVelocities_[i] = problem.addedVelocity(pair);
         times_[i] = problem.time(pair);
     }
+    patches_.set(problem, order_, shared_);
 }
 
 

@@ -67,4 +67,44 @@ Foam::scalar Foam::fsi::contactSolver::relaxFriction
 }
 
 
+Foam::scalar Foam::fsi::contactSolver::relaxPatch
+(
+    const contactProblem& problem,
+    const label pairi
+)
+{
+    contactPatches::patch* patch = patches_.visited(pairi);
+    if (!patch || patch->compliance() < VSMALL)
+    {
+        return 0;
+    }
+    scalar u = 0;
+    for (const auto& each : patch->pairs())
+    {
+        u += each.second*velocity(problem, each.first);
+    }
+    const scalar change = patch->relax(u, problem);
+    for (const auto& each : patch->pairs())
+    {
+        if (change != 0)
+        {
+            addImpulse(problem, each.first, each.second*change);
+            impulses_[each.first] += each.second*change;
+        }
+        if (friction_.active())
+        {
+            friction_.setLoad
+            (
+                problem, each.first, impulses_[each.first], 0,
+                startGaps_[each.first], startGaps_[each.first]
+            );
+        }
+    }
+    const scalar time = problem.step.tau;
+    endGaps_[pairi] =
+        patch->gap() + time*(u + patch->compliance()*change);
+    return mag(change)*patch->compliance()*time;
+}
+
+
 // ************************************************************************* //
