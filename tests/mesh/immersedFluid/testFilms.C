@@ -44,7 +44,8 @@ scalar friction(const surfacesInBox& objects, const Counts& counts)
     for (const filmLink& link : geometry.betweenSurfaces())
     {
         const pointField& x = objects.surfaces().points();
-        sum += counts(link.places[0].interpolate(x)) ? link.conductance : 0;
+        sum += counts(link.sides[0].place.interpolate(x))
+          ? link.conductance : 0;
     }
     FixedList<scalarField, 2> ofCells;
     ofCells = scalarField(objects.mesh().nCells(), Zero);
