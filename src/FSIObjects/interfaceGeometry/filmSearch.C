@@ -201,8 +201,9 @@ bool Foam::fsi::filmSearch::chooseWall
                 );
             }
         }
-        if (alone && sum < least)
+        if (alone && sum > 0 && sum < least)
         {
+            // A surface beyond the wall has no film there
             least = sum;
             chosen = true;
             p.objects[0] = object;
