@@ -73,6 +73,18 @@ void Foam::fsi::objectsPressure::updateMultigrid
 }
 
 
+Foam::scalar Foam::fsi::objectsPressure::energy(const vectorField& U) const
+{
+    const boolList& fluid = geometry_.fluidCell();
+    scalar squares = 0;
+    forAll(U, celli)
+    {
+        squares += fluid[celli] ? magSqr(U[celli]) : 0;
+    }
+    return squares*geometry_.grid().faceArea()*geometry_.grid().spacing();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::objectsPressure::objectsPressure
@@ -137,6 +149,7 @@ void Foam::fsi::objectsPressure::solve
     scalarField& b,
     const addedTerm* term,
     const scalarField& inside,
+    const vectorField* U,
     const stepLength& step
 )
 {
@@ -149,6 +162,7 @@ void Foam::fsi::objectsPressure::solve
     loop.tolerance = controls.lookupOrDefault<scalar>("tolerance", 1e-6);
     loop.relTol = controls.lookupOrDefault<scalar>("relTol", 0);
     loop.maxIter = readAtLeast(controls, "maxIter", 1000, 1);
+    loop.energy = U ? energy(*U)/step.tau : -1;
     const auto performance = multigrid_.solve
     (
         p.primitiveFieldRef(), b, p.name(), loop, term

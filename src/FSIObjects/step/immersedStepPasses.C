@@ -67,6 +67,7 @@ void Foam::fsi::immersedStep::solvePressure()
         source,
         objects_.bodies().onlyMembranes() ? nullptr : &term_,
         oldPressure_().primitiveField(),
+        &U_.primitiveField(),
         step()
     );
     pEqn.clear();

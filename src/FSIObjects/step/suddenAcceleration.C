@@ -175,7 +175,7 @@ void Foam::fsi::suddenAcceleration::answer
     tmp<fvScalarMatrix> pEqn(openLaplacian(geometry_, last, deltaT_, 0));
     scalarField source;
     setSource(last, source);
-    pressure.solve(last, pEqn.ref(), source, this, before, step);
+    pressure.solve(last, pEqn.ref(), source, this, before, nullptr, step);
     expectPressure
     (
         objects_.bodies(),

@@ -14,8 +14,7 @@ Foam::scalar Foam::fsi::cartesianMultigrid::nextDirection
 {
     // Single precision needs values of order one
     const stencil<double>& A = matrix_.A();
-    const scalar size =
-        max(residual/nMeshCells_, VSMALL);
+    const scalar size = max(residual/nMeshCells_, VSMALL);
 
     multigridLevel& finest = hierarchy_.finest();
     scaled(A, 1/size, r_.cdata(), finest.b().data());
@@ -25,12 +24,27 @@ Foam::scalar Foam::fsi::cartesianMultigrid::nextDirection
     const scalar rz =
         total(factor*dotProduct(A, r_.cdata(), finest.x().cdata()));
     const scalar beta = oldProduct > 0 ? rz/oldProduct : 0;
-    pAp =
-        total
-        (
-            sum_.multiplyNext(factor, finest.x().cdata(), beta, p_, Ap_)
-        );
+    pAp = total(sum_.multiplyNext(factor, finest.x().cdata(), beta, p_, Ap_));
     return rz;
+}
+
+
+bool Foam::fsi::cartesianMultigrid::isExact
+(
+    solverPerformance& result,
+    const scalar taken,
+    const scalar fall,
+    scalar& energy
+)
+{
+    energy += ofChange*taken;
+    const scalar change = sqrt(taken/energy);
+    if (result.nIterations() == 0)
+    {
+        result.initialResidual() = max(result.initialResidual(), change);
+    }
+    result.finalResidual() = max(result.finalResidual(), change*fall);
+    return change*fall < roundingError;
 }
 
 
@@ -38,25 +52,33 @@ void Foam::fsi::cartesianMultigrid::iterate
 (
     solverPerformance& result,
     const scalar factor,
+    scalar energy,
     const loopControls& controls
 ) const
 {
     scalar rz = 0;
-    scalar least = result.initialResidual();
+    scalar residual = factor*result.initialResidual();
+    scalar least = residual;
     label nInVain = 0;
+    bool exact = false;
     // Solution of the least residual while others are in vain: where only
     // rounding errors are left, each may double the level of a closed part
     scalarField best;
     do
     {
         scalar pAp = 0;
-        rz = nextDirection(factor*result.finalResidual(), rz, pAp);
-        if (result.checkSingularity(mag(pAp)/factor) || mag(pAp) < nothing*rz)
+        rz = nextDirection(residual, rz, pAp);
+        if
+        (
+            result.checkSingularity(mag(pAp)/factor)
+         || pAp <= nothing*mag(rz)
+        )
         {
             break;
         }
         const scalar alpha = rz/pAp;
-        result.finalResidual() =
+        const scalar before = residual;
+        residual =
             total
             (
                 updateSolution
@@ -64,18 +86,24 @@ void Foam::fsi::cartesianMultigrid::iterate
                     matrix_.A(), alpha, p_.cdata(), Ap_.cdata(),
                     x_.data(), r_.data()
                 )
-            )/factor;
-        nInVain = result.finalResidual() < least ? 0 : nInVain + 1;
+            );
+        result.finalResidual() = residual/factor;
+        if (controls.ofFlow())
+        {
+            exact = isExact(result, alpha*rz, residual/before, energy);
+        }
+        nInVain = residual < least ? 0 : nInVain + 1;
         if (nInVain == 1)
         {
             best = x_ - alpha*p_;
         }
-        least = min(least, result.finalResidual());
+        least = min(least, residual);
     } while
     (
         (
             ++result.nIterations() < controls.maxIter
          && nInVain < mostInVain
+         && !exact
          && !result.checkConvergence(controls.tolerance, controls.relTol)
         )
      || result.nIterations() < controls.minIter
@@ -83,7 +111,7 @@ void Foam::fsi::cartesianMultigrid::iterate
     if (nInVain >= mostInVain)
     {
         x_ = best;
-        result.finalResidual() = least;
+        result.finalResidual() = least/factor;
     }
 }
 
@@ -105,7 +133,9 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
 
     transfer.toBlock(psi, 1, x_.data());
     transfer.toBlock(source, matrix_.sign(), r_.data());
-    sum_.multiply(x_, Ap_);
+    const scalar xAx = sum_.multiply(x_, Ap_);
+    const scalar energy =
+        controls.ofFlow() ? total(controls.energy + ofStart*xAx) : 0;
     const scalar factor =
         matrix_.normFactor(Ap_, r_, total(sum(psi))/nMeshCells_);
 
@@ -128,13 +158,15 @@ Foam::solverPerformance Foam::fsi::cartesianMultigrid::solve
     result.initialResidual() = residual/factor;
     result.finalResidual() = result.initialResidual();
 
+    // The velocity's error is known after an iteration
     if
     (
-        controls.minIter > 0
-     || !result.checkConvergence(controls.tolerance, controls.relTol)
+        !result.checkConvergence(controls.tolerance, controls.relTol)
+     || controls.minIter > 0
+     || (controls.ofFlow() && residual > 0)
     )
     {
-        iterate(result, factor, controls);
+        iterate(result, factor, energy, controls);
         transfer.toCells(x_.cdata(), 1, psi);
     }
     return result;
