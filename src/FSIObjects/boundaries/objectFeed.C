@@ -168,6 +168,7 @@ Foam::fsi::objectFeed::objectFeed
     patch_(patch),
     grid_(grid),
     objects_(objects),
+    sides_(sides),
     side_(sides.findPatch(patch_)),
     bounds_(patchBounds(grid.mesh(), patch_)),
     group_(readGroup(dict)),

@@ -4,6 +4,30 @@
 #include "nearSurfaces.H"
 #include "rotations.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Does a node lie behind a wall?
+static bool behindWall(const domainSides& sides, const closedSurface& surface)
+{
+    for (const point& p : surface.points())
+    {
+        if (sides.behindWall(p))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::fsi::objectFeed::findPlace
@@ -61,7 +85,8 @@ bool Foam::fsi::objectFeed::findPlace
           : bounds_.min()[normal] - 2*grid_.spacing() - box.max()[normal];
 
         const closedSurface candidate(shape_.moved(rotation, centre));
-        bool free = true;
+        // An opening may be no rectangle
+        bool free = !behindWall(sides_, candidate);
         for (const closedSurface& other : others)
         {
             free = free && !candidate.closerThan(other, minimumGap_);

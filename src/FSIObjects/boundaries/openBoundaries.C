@@ -49,7 +49,11 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
         {
             continue;
         }
-        if (sides_[sidei] == domainSides::WALL)
+        if
+        (
+            sides_[sidei] == domainSides::WALL
+         && sides_.behindWall(centreOf(box))
+        )
         {
             FatalErrorInFunction
                 << "Object " << objects_.objectId(objecti) << " of shape "
@@ -62,7 +66,7 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
         if
         (
             beyond > grid_.spacing()
-         && sides_[sidei] == domainSides::OPEN
+         && sides_.isOpen(sidei)
          && (v & domainSides::outward(sidei)) >= 0
         )
         {
@@ -73,19 +77,37 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
 }
 
 
-void Foam::fsi::openBoundaries::warnFeedingSide(const label sidei)
+Foam::label Foam::fsi::openBoundaries::feedAt
+(
+    const label sidei,
+    const point& p
+) const
 {
-    for (const objectFeed& feed : feeds_)
+    forAll(feeds_, i)
     {
-        if (findIndex(sides_.patches(sidei), feed.patch()) >= 0)
+        if
+        (
+            findIndex(sides_.patches(sidei), feeds_[i].patch()) >= 0
+         && feeds_[i].isBefore(p)
+        )
         {
-            ++nWarnings_;
-            WarningInFunction
-                << "Patch " << feed.patch() << " feeds objects: one that leaves"
-                << " through it has been pushed out by the flow." << nl
-                << "    Feed later (startTime), when the flow has settled"
-                << endl;
+            return i;
         }
+    }
+    return -1;
+}
+
+
+void Foam::fsi::openBoundaries::warn(const label feedi)
+{
+    if (feedi >= 0)
+    {
+        ++nWarnings_;
+        WarningInFunction
+            << "Patch " << feeds_[feedi].patch() << " feeds objects: one that"
+            << " leaves through it has been pushed out by the flow." << nl
+            << "    Feed later (startTime), when the flow has settled"
+            << endl;
     }
 }
 
@@ -103,6 +125,13 @@ bool Foam::fsi::openBoundaries::removeObjects()
             mine.append(objects_.objectGroup(objecti));
             mine.append(objects_.objectId(objecti));
             mine.append(sidei);
+            mine.append
+            (
+                feedAt
+                (
+                    sidei, centreOf(objects_.surfaces().bounds(objecti))
+                )
+            );
         }
     }
     if (objects_.ranks().largest(leaving.size()) == 0)
@@ -112,15 +141,15 @@ bool Foam::fsi::openBoundaries::removeObjects()
 
     // All ranks count and tell in the same order
     const scalarList numbers(objects_.ranks().gathered(scalarList(mine)));
-    std::map<labelPair, label> sides;
-    for (label i = 0; i < numbers.size(); i += 3)
+    std::map<labelPair, labelPair> sides;
+    for (label i = 0; i < numbers.size(); i += 4)
     {
         const labelPair key(label(numbers[i]), label(numbers[i + 1]));
-        sides[key] = label(numbers[i + 2]);
+        sides[key] = labelPair(label(numbers[i + 2]), label(numbers[i + 3]));
     }
     for (const auto& left : sides)
     {
-        const label sidei = left.second;
+        const label sidei = left.second.first();
         ++removed_[sidei];
         Info<< "Object " << left.first.second() << " of shape "
             << objects_.shape(left.first.first()).name() << " left through";
@@ -129,7 +158,7 @@ bool Foam::fsi::openBoundaries::removeObjects()
             Info<< " " << patch;
         }
         Info<< ", " << removed_[sidei] << " so far" << endl;
-        warnFeedingSide(sidei);
+        warn(left.second.second());
     }
     objects_.remove(leaving);
     return true;

@@ -3,53 +3,11 @@
 #include "domainSides.H"
 #include "emptyPolyPatch.H"
 #include "openfoamVersion.H"
+#include "sideFaces.H"
 #include "sumOverRanks.H"
 #include "symmetryPlanePolyPatch.H"
 #include "symmetryPolyPatch.H"
 #include "wallPolyPatch.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Fatal if a face is on none of the box's sides: a wall inside
-static void checkOnSide
-(
-    const polyPatch& patch,
-    const label facei,
-    const boundBox& bounds
-)
-{
-    const point& p = patch.faceCentres()[facei];
-    const vector& S = patch.faceAreas()[facei];
-    const scalar tolerance = 1e-6*bounds.mag();
-    for (direction d = 0; d < 3; ++d)
-    {
-        if
-        (
-            mag(S[d]) >= 0.5*mag(S)
-         && mag(p[d] - bounds.min()[d]) > tolerance
-         && mag(p[d] - bounds.max()[d]) > tolerance
-        )
-        {
-            FatalErrorInFunction
-                << "Patch " << patch.name() << " in constant/polyMesh/boundary"
-                << " has a face at " << p << ", inside the mesh's box "
-                << bounds << nl
-                << "Contact knows the sides of the box only. Make walls inside"
-                << " of objects with motion { type fixed; }, merge blocks"
-                << " that touch, and fill the box" << exit(FatalError);
-        }
-    }
-}
-
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -76,28 +34,19 @@ Foam::fsi::domainSides::kindOf(const polyPatch& patch)
 
 void Foam::fsi::domainSides::addPatch(const polyPatch& patch)
 {
-    const scalar tolerance = 1e-6*bounds_.mag();
     const label kind = kindOf(patch);
     FixedList<bool, 6> touches(false);
     forAll(patch, facei)
     {
-        const point& p = patch.faceCentres()[facei];
-        const vector& S = patch.faceAreas()[facei];
         if (kind == WALL || kind == OPEN)
         {
-            checkOnSide(patch, facei, bounds_);
+            sideFaces::check(bounds_, patch, facei);
         }
-        for (direction d = 0; d < 3; ++d)
+        forAll(touches, sidei)
         {
-            // In a thin mesh all faces are near to the sides in z
-            if (mag(S[d]) < 0.5*mag(S))
-            {
-                continue;
-            }
-            touches[2*d] =
-                touches[2*d] || mag(p[d] - bounds_.min()[d]) < tolerance;
-            touches[2*d + 1] =
-                touches[2*d + 1] || mag(p[d] - bounds_.max()[d]) < tolerance;
+            touches[sidei] =
+                touches[sidei]
+             || sideFaces::isOn(sidei, bounds_, patch, facei);
         }
     }
     forAll(touches, sidei)
@@ -112,6 +61,36 @@ void Foam::fsi::domainSides::addPatch(const polyPatch& patch)
             }
         }
     }
+}
+
+
+void Foam::fsi::domainSides::setWalls(const polyMesh& mesh)
+{
+    DynamicList<contactWall> walls;
+    for (label sidei = 0; sidei < 6; ++sidei)
+    {
+        if (kinds_[sidei] != WALL)
+        {
+            continue;
+        }
+        walls.append
+        (
+            contactWall
+            (
+                sidei % 2 ? bounds_.max() : bounds_.min(),
+                -outward(sidei),
+                !rough_[sidei]
+            )
+        );
+        if (patches_[sidei].size())
+        {
+            sideFaces::leaveOpenings
+            (
+                mesh, sidei, period(), patches_[sidei], walls.last()
+            );
+        }
+    }
+    walls_ = walls;
 }
 
 
@@ -158,6 +137,7 @@ Foam::fsi::domainSides::domainSides(const fvMesh& mesh)
     {
         Foam::sort(names);
     }
+    setWalls(mesh);
 }
 
 
@@ -230,25 +210,17 @@ Foam::scalar Foam::fsi::domainSides::beyond
 }
 
 
-Foam::List<Foam::fsi::contactWall> Foam::fsi::domainSides::walls() const
+bool Foam::fsi::domainSides::behindWall(const point& p) const
 {
-    DynamicList<contactWall> walls;
-    for (label sidei = 0; sidei < 6; ++sidei)
+    vector away;
+    for (const contactWall& wall : walls_)
     {
-        if (kinds_[sidei] == WALL)
+        if (wall.gap(p, away) < 0)
         {
-            walls.append
-            (
-                contactWall
-                (
-                    sidei % 2 ? bounds_.max() : bounds_.min(),
-                    -outward(sidei),
-                    !rough_[sidei]
-                )
-            );
+            return true;
         }
     }
-    return List<contactWall>(std::move(walls));
+    return false;
 }
 
 

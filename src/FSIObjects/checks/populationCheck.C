@@ -178,24 +178,19 @@ void Foam::fsi::populationCheck::checkAreas
 }
 
 
-bool Foam::fsi::populationCheck::isOutside(const boundBox& box) const
+bool Foam::fsi::populationCheck::isOutside(const UList<point>& points) const
 {
-    const boundBox& domain = sides_.bounds();
+    for (const point& p : points)
+    {
+        if (sides_.behindWall(p))
+        {
+            return true;
+        }
+    }
+    const boundBox box(points, false);
     for (label sidei = 0; sidei < 2*nDims_; ++sidei)
     {
-        const direction d = sidei/2;
-        const bool beyondWall =
-            sidei % 2
-          ? box.max()[d] > domain.max()[d]
-          : box.min()[d] < domain.min()[d];
-        if
-        (
-            (sides_[sidei] == domainSides::WALL && beyondWall)
-         || (
-                sides_[sidei] == domainSides::OPEN
-             && sides_.beyond(sidei, box) > 3*spacing_
-            )
-        )
+        if (sides_.isOpen(sidei) && sides_.beyond(sidei, box) > 3*spacing_)
         {
             return true;
         }
@@ -230,7 +225,7 @@ void Foam::fsi::populationCheck::checkSurfaces
             objects.groups()[objects.objectGroup(objecti)];
         const bool isFree =
             group.movesFreely() && group.shape().held().clamped().empty();
-        if (isFree && isOutside(surfaces.bounds(objecti)))
+        if (isFree && isOutside(points))
         {
             found.outside.append(id);
         }

@@ -248,7 +248,6 @@ void Foam::fsi::fieldChecks::check
     const volScalarField& p,
     const volVectorField& U,
     const population& bodies,
-    const domainSides& sides,
     const interfaceGeometry& geometry
 )
 {
@@ -257,7 +256,7 @@ void Foam::fsi::fieldChecks::check
     checkPressure(p);
     checkControls(p.mesh(), p.name());
     checkControls(p.mesh(), U.name());
-    patchChecks::check(p, U, bodies, sides);
+    patchChecks::check(p, U);
     checkInlets(U, geometry.activeCell());
     checkRegions(p, U, bodies, geometry);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "patchChecks.H"
+#include "domainSides.H"
 #include "errorOf.H"
 #include "openfoamMesh.H"
 #include "sharedPatches.H"
@@ -34,10 +35,17 @@ static scalarList speeds(const volVectorField& U, const label nPatches)
     return largest;
 }
 
+} // End namespace fsi
+} // End namespace Foam
 
-//- Fatal if a wall lets fluid through, or if a patch that objects may pass
-//  holds the fluid as a wall does
-static void checkWalls(const volVectorField& U, const volScalarField& p)
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::patchChecks::check
+(
+    const volScalarField& p,
+    const volVectorField& U
+)
 {
     const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
     const label nPatches = nSharedPatches(patches);
@@ -71,48 +79,6 @@ static void checkWalls(const volVectorField& U, const volScalarField& p)
                 << exit(FatalError);
         }
     }
-}
-
-
-//- Fatal if a side has open patches beside walls and objects move freely
-static void checkSides(const population& bodies, const domainSides& sides)
-{
-    bool free = false;
-    for (const bodyGroup& group : bodies.groups())
-    {
-        free = free || group.movesFreely();
-    }
-    for (label sidei = 0; sidei < 6 && free; ++sidei)
-    {
-        const wordList& patches = sides.patches(sidei);
-        if (sides[sidei] == domainSides::WALL && patches.size())
-        {
-            FatalErrorInFunction
-                << "Patch " << patches[0] << " in constant/polyMesh/boundary"
-                << " is on a side of the box that has a wall, too: contact"
-                << " would hold objects there as if it were closed. Give it"
-                << " the whole side, and make the wall beside it of objects"
-                << " with motion { type fixed; }" << exit(FatalError);
-        }
-    }
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::patchChecks::check
-(
-    const volScalarField& p,
-    const volVectorField& U,
-    const population& bodies,
-    const domainSides& sides
-)
-{
-    checkWalls(U, p);
-    checkSides(bodies, sides);
 }
 
 

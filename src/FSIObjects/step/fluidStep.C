@@ -66,7 +66,7 @@ Foam::fsi::fluidStep::fluidStep
     stockInput::checkFluid(U_.mesh(), flow.law);
     objects.contact().leaveFilmsToFlow(geometry_.seesFilms(objects.levelSet()));
     updateGeometry();
-    fieldChecks::check(p_, U_, objects.bodies(), objects.sides(), geometry_);
+    fieldChecks::check(p_, U_, objects.bodies(), geometry_);
     setSolidVelocity();
     scalars_.reset(new carriedScalars(objects, geometry_));
     if (objects.driving().type() == "none")

@@ -65,6 +65,7 @@ bool Foam::fsi::gapDefence::mayClose
     const surfaceSet& surfaces,
     const vectorField& v,
     const contactPairs& found,
+    const UList<contactWall>& walls,
     const scalar dt
 ) const
 {
@@ -90,9 +91,12 @@ bool Foam::fsi::gapDefence::mayClose
     // comes nearer by this speed at most
     for (const contactPair& pair : found.pairs)
     {
+        const label own = surfaces.pointObject()[pair.node];
         const scalar approach =
-            pair.other < 0
+            pair.wall >= 0 && walls[pair.wall].whole()
           ? -(v[pair.node] & pair.normal)
+          : pair.wall >= 0
+          ? mag(mean[own]) + spread[own]
           : mag(v[pair.node] - mean[pair.other]) + spread[pair.other];
         if (pair.gap - dt*approach < minimumGap_)
         {
@@ -123,7 +127,8 @@ Foam::label Foam::fsi::gapDefence::limit
     {
         return exchange ? exchange->largest(value) : value;
     };
-    const bool needed = !found || mayClose(surfaces, velocities, *found, dt);
+    const bool needed =
+        !found || mayClose(surfaces, velocities, *found, walls, dt);
     if (ofAll(needed ? 1 : 0) == 0)
     {
         return 0;

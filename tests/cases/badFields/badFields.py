@@ -124,44 +124,15 @@ def check_inlet(report, folder):
                 ("0/U", "'left'", "block"))
 
 
-def halves(case):
-    """Two blocks: the upper half of the left side is a part of the right
-    wall's patch."""
-    z = (0, 0.05)
-    corners = " ".join(f"({x} {y} {d})" for d in z for y in (0, 0.5, 1)
-                       for x in (0, 1))
-    case.file("system/blockMeshDict", f"""
-vertices ({corners});
-blocks (hex (0 1 3 2 6 7 9 8) (20 10 1) simpleGrading (1 1 1)
-    hex (2 3 5 4 8 9 11 10) (20 10 1) simpleGrading (1 1 1));
-boundary
-(
-    left {{ type patch; faces ((0 6 8 2)); }}
-    right {{ type wall; faces ((2 8 10 4) (1 3 9 7) (3 5 11 9)); }}
-    bottom {{ type wall; faces ((0 1 7 6)); }}
-    top {{ type wall; faces ((4 10 11 5)); }}
-    frontAndBack {{ type empty; faces ((0 2 3 1) (2 4 5 3) (6 7 9 8)
-        (8 9 11 10)); }}
-);
-""")
-
-
 def check_patches(report, folder):
-    """A patch that objects may pass and the fluid not; one beside a wall."""
-    for name, condition, edit, texts in (
-            ("a wall of type patch", "type noSlip;", None,
-             ("0/U", "'left'", "type wall")),
-            ("a patch on a part of a side", "type zeroGradient;", halves,
-             ("Patch left", "side", "fixed"))):
-        case = fsiCase.Case(
-            os.path.join(folder, "patches"), cells=(20, 20), endTime=0.01,
-            open={"left": (condition, "type zeroGradient;" if "no" in condition
-                           else "type fixedValue; value uniform 0;")},
-            shapes=DISC, placements=ONE)
-        if edit:
-            edit(case)
-        if report.attempt("set-up of " + name, case.set_up):
-            refused(report, name, case, "fsiPisoFoam", texts)
+    """A patch that objects may pass and the fluid not."""
+    case = fsiCase.Case(
+        os.path.join(folder, "patches"), cells=(20, 20), endTime=0.01,
+        open={"left": ("type noSlip;", "type zeroGradient;")},
+        shapes=DISC, placements=ONE)
+    if report.attempt("set-up of a wall of type patch", case.set_up):
+        refused(report, "a wall of type patch", case, "fsiPisoFoam",
+                ("0/U", "'left'", "type wall"))
 
 
 def check_dead_end(report, folder):

@@ -80,7 +80,7 @@ Foam::scalar Foam::fsi::ReynoldsLubrication::areaPart
     // The gap opens with the angle between the surfaces
     vector apart(surface_.normals()[pair.node]);
     apart +=
-        pair.face < 0
+        pair.wall >= 0
       ? pair.normal
       : surfaces_->interpolate(surface_.normals(), pair.face, pair.weights);
 
@@ -131,7 +131,7 @@ Foam::scalar Foam::fsi::ReynoldsLubrication::resistance
     {
         return 0;
     }
-    const bool wall = pair.face < 0;
+    const bool wall = pair.wall >= 0;
     const scalar bodies =
         curvatures_[objecti] + (wall ? 0 : curvatures_[pair.other]);
     const scalar place =

@@ -70,11 +70,13 @@ Foam::scalar Foam::fsi::contactBodies::coupling
     // Nodes of the object in a pair with their parts in its velocity
     const auto forNodes = [&](const contactPair& p, const auto& action)
     {
-        if (surfaces.pointObject()[p.node] == objecti)
+        const label own = surfaces.pointObject()[p.node];
+        if (own == objecti)
         {
             action(p.node, p.normal);
         }
-        for (label i = 0; p.other == objecti && i < surfaces.nNodes(); ++i)
+        const bool face = p.face >= 0 && p.faceOwner(own) == objecti;
+        for (label i = 0; face && i < surfaces.nNodes(); ++i)
         {
             action(surfaces.faces()[p.face][i], vector(-p.share(i)));
         }
@@ -122,11 +124,10 @@ Foam::scalar Foam::fsi::contactBodies::share
     const label k
 ) const
 {
-    scalar sum =
-        surfaces.pointObject()[pair.node] == objecti
-      ? mode(pair.node, k) & pair.normal
-      : 0;
-    for (label i = 0; pair.other == objecti && i < surfaces.nNodes(); ++i)
+    const label own = surfaces.pointObject()[pair.node];
+    const bool face = pair.face >= 0 && pair.faceOwner(own) == objecti;
+    scalar sum = own == objecti ? mode(pair.node, k) & pair.normal : 0;
+    for (label i = 0; face && i < surfaces.nNodes(); ++i)
     {
         sum -= mode(surfaces.faces()[pair.face][i], k) & pair.share(i);
     }

@@ -39,10 +39,57 @@ bool Foam::fsi::contactGeometry::inFront
 }
 
 
+Foam::fsi::contactGeometry::nearestFace
+Foam::fsi::contactGeometry::nearestOn
+(
+    const surfaceSet& surfaces,
+    const label facei,
+    const point& x
+) const
+{
+    nearestFace nearest;
+    nearest.face = facei;
+    nearest.offset = x - surfaces.nearestOnFace(facei, x, nearest.weights);
+    nearest.normals = faceNormals_[facei];
+    return nearest;
+}
+
+
+void Foam::fsi::contactGeometry::keep
+(
+    const surfaceSet& surfaces,
+    const nearestFace& place
+)
+{
+    nearestFace candidate(place);
+    const label object = surfaces.faceObject()[place.face];
+    const scalar distanceSqr = magSqr(place.offset);
+    for (nearestFace& known : nearest_)
+    {
+        if (surfaces.faceObject()[known.face] == object)
+        {
+            const scalar knownSqr = magSqr(known.offset);
+            if (magSqr(candidate.offset - known.offset) < 1e-18*knownSqr)
+            {
+                candidate.normals += known.normals;
+                known.normals = candidate.normals;
+            }
+            if (distanceSqr < knownSqr)
+            {
+                known = candidate;
+            }
+            return;
+        }
+    }
+    nearest_.append(candidate);
+}
+
+
 Foam::fsi::contactPair Foam::fsi::contactGeometry::pair
 (
     const surfaceSet& surfaces,
-    const label nodei,
+    const point& x,
+    const label own,
     const nearestFace& nearest
 ) const
 {
@@ -66,7 +113,6 @@ Foam::fsi::contactPair Foam::fsi::contactGeometry::pair
     }
 
     contactPair p;
-    p.node = nodei;
     p.face = nearest.face;
     p.wall = -1;
     p.other = surfaces.faceObject()[nearest.face];
@@ -75,9 +121,9 @@ Foam::fsi::contactPair Foam::fsi::contactGeometry::pair
     // Pairs within an object face each other (inFront): where the surface is
     // kinked the mean normal may say the opposite, and so does that of a fold
     const bool behind =
-        p.other != surfaces.pointObject()[nodei]
+        p.other != own
      && (nearest.offset & outward) < 0
-     && contains(surfaces, p.other, surfaces.points()[nodei]);
+     && contains(surfaces, p.other, x);
     const scalar side = behind ? -1 : 1;
     p.gap = side*distance;
     p.normal =
@@ -135,42 +181,18 @@ void Foam::fsi::contactGeometry::consider
         return;
     }
 
-    const point& x = surfaces.points()[nodei];
-    nearestFace candidate;
-    candidate.face = facei;
-    candidate.offset =
-        x - surfaces.nearestOnFace(facei, x, candidate.weights);
-
-    candidate.normals = faceNormals_[facei];
-
-    const scalar distanceSqr = magSqr(candidate.offset);
+    const nearestFace place
+    (
+        nearestOn(surfaces, facei, surfaces.points()[nodei])
+    );
     if
     (
-        distanceSqr > sqr(range)
-     || (own && !inFront(nodei, facei, candidate.offset))
+        magSqr(place.offset) <= sqr(range)
+     && (!own || inFront(nodei, facei, place.offset))
     )
     {
-        return;
+        keep(surfaces, place);
     }
-
-    for (nearestFace& known : nearest_)
-    {
-        if (surfaces.faceObject()[known.face] == object)
-        {
-            const scalar knownSqr = magSqr(known.offset);
-            if (magSqr(candidate.offset - known.offset) < 1e-18*knownSqr)
-            {
-                candidate.normals += known.normals;
-                known.normals = candidate.normals;
-            }
-            if (distanceSqr < knownSqr)
-            {
-                known = candidate;
-            }
-            return;
-        }
-    }
-    nearest_.append(candidate);
 }
 
 
@@ -201,37 +223,19 @@ void Foam::fsi::contactGeometry::append
 {
     for (const nearestFace& nearest : nearest_)
     {
-        pairs.append(pair(surfaces, nodei, nearest));
+        pairs.append
+        (
+            pair
+            (
+                surfaces,
+                surfaces.points()[nodei],
+                surfaces.pointObject()[nodei],
+                nearest
+            )
+        );
+        pairs.last().node = nodei;
     }
     nearest_.clear();
-}
-
-
-void Foam::fsi::contactGeometry::appendWalls
-(
-    const point& x,
-    const label nodei,
-    const UList<contactWall>& walls,
-    const scalar range,
-    DynamicList<contactPair>& pairs
-)
-{
-    forAll(walls, walli)
-    {
-        const scalar gap = walls[walli].gap(x);
-        if (gap < range)
-        {
-            contactPair p;
-            p.node = nodei;
-            p.face = -1;
-            p.wall = walli;
-            p.other = -1 - walli;
-            p.weights = 0.0;
-            p.gap = gap;
-            p.normal = walls[walli].normal();
-            pairs.append(p);
-        }
-    }
 }
 
 

@@ -57,7 +57,7 @@ void Foam::fsi::pairFinder::find
         kept = pair;
         if (pair.face >= 0)
         {
-            kept.other = all.original(pair.other);
+            kept.other = pair.wall < 0 ? all.original(pair.other) : pair.other;
             kept.face = all.originalFace(pair.face);
         }
         const auto pushed = [&](const label objecti)

@@ -262,6 +262,7 @@ void Foam::fsi::surfaceTreeSearch::find
         begin = end;
         findPairs(surfaces, objecti, near, range, found);
 
+        geometry_.appendRims(surfaces, objecti, walls, range, found.pairs);
         const label endNode = surfaces.pointStart()[objecti + 1];
         for (label i = surfaces.pointStart()[objecti]; i < endNode; ++i)
         {

@@ -14,7 +14,7 @@ namespace fsi
 //- Does the face of a component belong to a body that keeps its shape?
 static bool hasCouple(const contactProblem& problem, const contactPair& pair)
 {
-    return pair.face >= 0 && problem.bodies[pair.other].keepsShape;
+    return pair.wall < 0 && problem.bodies[pair.other].keepsShape;
 }
 
 } // End namespace fsi

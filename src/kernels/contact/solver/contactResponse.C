@@ -52,7 +52,7 @@ void Foam::fsi::contactResponse::setShares(const label pairi)
     }
 
     const surfaceFace& f = surfaces_->faces()[pair.face];
-    const label nOther = (*bodies_)[pair.other].nModes;
+    const label nOther = (*bodies_)[faceOwner(pair)].nModes;
     for (label k = 0; k < nOther; ++k)
     {
         scalar share = 0;
@@ -224,7 +224,7 @@ Foam::scalar Foam::fsi::contactResponse::compliance(const label pairi) const
     const vector& n = pair.normal;
     const label object = own(pair);
     const contactBodies::body& b = (*bodies_)[object];
-    const bool self = pair.face >= 0 && pair.other == object;
+    const bool self = pair.face >= 0 && faceOwner(pair) == object;
     if (pair.component >= 0)
     {
         return frictionCompliance(pair);
@@ -248,11 +248,12 @@ Foam::scalar Foam::fsi::contactResponse::compliance(const label pairi) const
         const scalar wi = pair.weights[i];
         for (label j = 0; j < surfaces_->nNodes(); ++j)
         {
-            sum += wi*pair.weights[j]*inverse(pair.other, f[i], f[j], n);
+            sum +=
+                wi*pair.weights[j]*inverse(faceOwner(pair), f[i], f[j], n);
         }
         sum -= self ? 2*wi*inverse(object, pair.node, f[i], n) : 0;
     }
-    const contactBodies::body& other = (*bodies_)[pair.other];
+    const contactBodies::body& other = (*bodies_)[faceOwner(pair)];
     for (label k = 0; k < other.nModes && !self; ++k)
     {
         sum += other.coefficients[k]*sqr(otherShares_[pairi][k]);
@@ -278,7 +279,7 @@ void Foam::fsi::contactResponse::addImpulse
         const surfaceFace& f = surfaces_->faces()[pair.face];
         addImpulse
         (
-            pair.other,
+            faceOwner(pair),
             surfaces_->nNodes(),
             f.cdata(),
             pair.weights.cdata(),
@@ -287,9 +288,9 @@ void Foam::fsi::contactResponse::addImpulse
         for (label i = 0; pair.couple && i < surfaces_->nNodes(); ++i)
         {
             const vector& c = (*pair.couple)[i];
-            addImpulse(pair.other, 1, &f[i], &whole, -impulse*c);
+            addImpulse(faceOwner(pair), 1, &f[i], &whole, -impulse*c);
         }
-        addModes(pair.other, otherShares_[pairi], impulse);
+        addModes(faceOwner(pair), otherShares_[pairi], impulse);
     }
 }
 
