@@ -39,7 +39,7 @@ OTHERS = {
     "file": "file name",
     "centre": "vector", "faces": "whole numbers", "elements": "whole numbers",
     "libs": "file names", "U": "word", "p": "word", "simulationType": "word",
-    "transportModel": "word",
+    "transportModel": "word", "follow": "whole number or all",
 }
 
 

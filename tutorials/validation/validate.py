@@ -23,6 +23,7 @@ import fixedWalls
 import flap
 import lubrication
 import migration
+import movingFrame
 import oscillatingSphere
 import redCell
 import resistances
@@ -39,7 +40,7 @@ import vessel
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, resistances, suspension, flap,
-           vessel, dilute, scalars, redCell)
+           vessel, dilute, scalars, redCell, movingFrame)
 
 
 def collected(name):

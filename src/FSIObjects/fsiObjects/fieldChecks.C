@@ -248,7 +248,8 @@ void Foam::fsi::fieldChecks::check
     const volScalarField& p,
     const volVectorField& U,
     const population& bodies,
-    const interfaceGeometry& geometry
+    const interfaceGeometry& geometry,
+    const bool frameMoves
 )
 {
     checkField(p);
@@ -256,7 +257,7 @@ void Foam::fsi::fieldChecks::check
     checkPressure(p);
     checkControls(p.mesh(), p.name());
     checkControls(p.mesh(), U.name());
-    patchChecks::check(p, U);
+    patchChecks::check(p, U, frameMoves);
     checkInlets(U, geometry.activeCell());
     checkRegions(p, U, bodies, geometry);
 }

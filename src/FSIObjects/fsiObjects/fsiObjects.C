@@ -31,7 +31,8 @@ static const dictionary& checked(const Time& time, const dictionary& dict)
         {
             "fluidDensity", "gravity", "wall", "minWallDistance",
             "shortWaveStress", "levelSet", "coupling", "membranes", "contact",
-            "boundaries", "drivingForce", "scalars", "output", "ranks", "libs"
+            "boundaries", "drivingForce", "frame", "scalars", "output", "ranks",
+            "libs"
         },
         {"convection", "faceHistory", "transposedStress"}
     );
@@ -40,7 +41,7 @@ static const dictionary& checked(const Time& time, const dictionary& dict)
         dict,
         {
             "levelSet", "coupling", "membranes", "contact", "boundaries",
-            "drivingForce", "scalars", "output", "ranks"
+            "drivingForce", "frame", "scalars", "output", "ranks"
         }
     );
     openLibraries(time, dict);
@@ -99,6 +100,7 @@ Foam::fsi::fsiObjects::fsiObjects
     gravity_(stockInput::gravity(mesh, properties_)),
     loads_(bodies_),
     driving_(drivingForce::New(mesh, properties_)),
+    frame_(mesh.time(), properties_),
     contact_
     (
         bodies_,
@@ -158,6 +160,7 @@ void Foam::fsi::fsiObjects::write() const
 {
     boundaries_.write();
     driving_->write();
+    frame_.write();
 }
 
 

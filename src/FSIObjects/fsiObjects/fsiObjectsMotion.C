@@ -95,6 +95,7 @@ Foam::fsi::fsiObjects::groupNodal Foam::fsi::fsiObjects::forces
             (
                 group.shape().density(), gravity_, driving_->acceleration()
             );
+            a -= frame_.acceleration();
         }
         loads_.add(mesh_.time().value(), groupi, group, a, force[groupi]);
         group.prepareResponse(step.tau);

@@ -44,7 +44,8 @@ static scalarList speeds(const volVectorField& U, const label nPatches)
 void Foam::fsi::patchChecks::check
 (
     const volScalarField& p,
-    const volVectorField& U
+    const volVectorField& U,
+    const bool frameMoves
 )
 {
     const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
@@ -67,7 +68,7 @@ void Foam::fsi::patchChecks::check
         }
         if
         (
-            given && !through && domainSides::isOpen(faces)
+            given && !through && !frameMoves && domainSides::isOpen(faces)
          && !p.boundaryField()[patchi].fixesValue()
         )
         {

@@ -40,6 +40,7 @@ static const restartFile fieldFiles[] =
 static const restartFile uniformFiles[] =
 {
     {"fsiDrivingForce", "the driving force starts anew"},
+    {"fsiFrame", "the frame is taken to be at rest, and sides are not"},
     {
         "fsiBoundaries",
         "feeds and the counts of objects that left start anew, and"

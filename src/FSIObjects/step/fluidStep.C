@@ -66,7 +66,11 @@ Foam::fsi::fluidStep::fluidStep
     stockInput::checkFluid(U_.mesh(), flow.law);
     objects.contact().leaveFilmsToFlow(geometry_.seesFilms(objects.levelSet()));
     updateGeometry();
-    fieldChecks::check(p_, U_, objects.bodies(), geometry_);
+    fieldChecks::check
+    (
+        p_, U_, objects.bodies(), geometry_, objects.frame().active()
+    );
+    objects.frame().check(U_, objects.bodies(), objects.properties());
     setSolidVelocity();
     scalars_.reset(new carriedScalars(objects, geometry_));
     if (objects.driving().type() == "none")
@@ -91,6 +95,10 @@ bool Foam::fsi::fluidStep::begin()
     {
         updateGeometry();
     }
+    objects_.frame().follow
+    (
+        objects_.bodies(), rule_.length(), backwardStep{rule_.ratio()}, U_
+    );
     objects_.drive(U_);
     return changed;
 }
@@ -154,6 +162,7 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::fluidStep::momentum
             objects_.fluid().viscosity,
             gradP,
             objects_.driving().acceleration()
+          - objects_.frame().acceleration()
         )
     );
     scalars_->addBuoyancy(tUEqn.ref().source());

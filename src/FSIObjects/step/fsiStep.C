@@ -105,12 +105,15 @@ void Foam::fsi::fsiStep::describe(Ostream& os) const
 
 void Foam::fsi::fsiStep::checkParts() const
 {
-    if (objects_.properties().found("scalars") && !carriesScalars())
+    for (const word& entry : {word("scalars"), word("frame")})
     {
-        FatalIOErrorInFunction(objects_.properties())
-            << "Entry 'scalars' needs the coupling solidImplicit or weak, but"
-            << " entry 'type' of coupling is " << type()
-            << exit(FatalIOError);
+        if (objects_.properties().found(entry) && !carriesScalars())
+        {
+            FatalIOErrorInFunction(objects_.properties())
+                << "Entry '" << entry << "' needs the coupling solidImplicit"
+                << " or weak, but entry 'type' of coupling is " << type()
+                << exit(FatalIOError);
+        }
     }
     for (const bodyGroup& group : objects_.bodies().groups())
     {

@@ -76,6 +76,18 @@ Foam::fsi::stepOutput::stepOutput(fsiObjects& objects)
         objects_.contact().keepForces();
         rheology_.reset(new rheology(objects_));
     }
+    if (objects_.frame().active())
+    {
+        frame_ = objectWriter::newTable
+        (
+            objects.grid().mesh().time(),
+            "frame",
+            {
+                "time", "velocityX", "velocityY", "velocityZ", "positionX",
+                "positionY", "positionZ"
+            }
+        );
+    }
 }
 
 
@@ -213,6 +225,15 @@ void Foam::fsi::stepOutput::write
 )
 {
     report(error);
+    if (frame_.valid())
+    {
+        const movingFrame& frame = objects_.frame();
+        const vector& w = frame.velocity();
+        const vector& x = frame.position();
+        csvTable::rowWriter row(frame_());
+        row << objects_.grid().mesh().time().value() << w.x() << w.y()
+            << w.z() << x.x() << x.y() << x.z();
+    }
     if (rheology_.valid() && writer_.stepWanted())
     {
         writeRheology(hydrodynamicForce);
