@@ -20,6 +20,7 @@ import cylinder
 import dilute
 import discs
 import fixedWalls
+import flagInStream
 import flap
 import lubrication
 import migration
@@ -40,7 +41,7 @@ import vessel
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, resistances, suspension, flap,
-           vessel, dilute, scalars, redCell, movingFrame)
+           vessel, dilute, scalars, redCell, movingFrame, flagInStream)
 
 
 def collected(name):
