@@ -3,11 +3,12 @@
 Lecture Notes in Computational Science and Engineering 53, 371).
 
 The channel is 0.41 high, the cylinder has the radius 0.05 and the flag is
-0.35 x 0.02. Both are one body here, whose nodes in the cylinder are clamped. Its
-material is that of the flap alone (flap.py): neoHookean, with the moduli of
-Poisson's ratio 0.4 in plane strain. The channel ends 1.6 behind the inlet, where
-theirs is 2.5 long, and starts with the inflow's profile everywhere. Forces are
-those on cylinder and flag, per depth. FSI2 is left out: it takes long.
+0.35 x 0.02. Both are one body here, whose nodes in the cylinder are clamped.
+Its material is that of the flap alone (flap.py): neoHookean, with the moduli of
+Poisson's ratio 0.4 in plane strain. The channel ends 1.6 behind the inlet,
+where theirs is 2.5 long, and starts with the inflow's profile everywhere.
+Forces are those on cylinder and flag, per depth. FSI2 is left out: it takes
+long.
 """
 
 import math
