@@ -111,8 +111,13 @@ class Tables:
 
     @staticmethod
     def decompose(case, ranks):
-        """Slabs along the first direction."""
-        case.decompose(ranks, 1, options=["-force"])
+        """Slabs across the longest direction, the first of equal ones: the
+        fewer objects reach from one to the other."""
+        cells = case.values["cells"]
+        longest = max(range(len(cells)), key=cells.__getitem__)
+        parts = [1]*len(cells)
+        parts[longest] = ranks
+        case.decompose(*parts, options=["-force"])
 
     def write(self, name, rows):
         """RESULTS/name.csv; numbers with four digits."""
