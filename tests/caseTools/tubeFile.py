@@ -3,6 +3,8 @@
 
 import math
 
+import stlFile
+
 
 def write_tube(path, radius, start, end, around=24, along=24):
     """About the axis y = z = 0, with caps at both ends."""
@@ -19,10 +21,4 @@ def write_tube(path, radius, start, end, around=24, along=24):
         for k in range(around):
             triangles.append(
                 ((ring[0][0], 0, 0), ring[k - 1], ring[k])[::turn])
-    with open(path, "w", encoding="ascii") as stream:
-        stream.write("solid tube\n")
-        for corners in triangles:
-            stream.write("facet normal 0 0 0\nouter loop\n" + "".join(
-                "vertex {:.9g} {:.9g} {:.9g}\n".format(*corner)
-                for corner in corners) + "endloop\nendfacet\n")
-        stream.write("endsolid tube\n")
+    stlFile.write(path, triangles)

@@ -12,6 +12,9 @@ ends must not be in the box [m]; N_AROUND, N_ALONG: numbers of faces.
 import math
 import sys
 
+import stlFile
+
+
 def ring(radius, x, n):
     """Points on a circle about the axis."""
     return [(x, radius*math.cos(a), radius*math.sin(a))
@@ -32,16 +35,8 @@ def main(path, inner, outer, half_length, n_around, n_along):
     places = [half_length*(2*i/n_along - 1) for i in range(n_along + 1)]
     rings = ([ring(inner, x, n_around) for x in places]
              + [ring(outer, x, n_around) for x in reversed(places)])
-    with open(path, "w", encoding="ascii") as stream:
-        stream.write("solid tube\n")
-        for i, one in enumerate(rings):
-            for triangle in strip(one, rings[i - 1]):
-                stream.write("facet normal 0 0 0\nouter loop\n")
-                for point in triangle:
-                    stream.write("vertex {:.9g} {:.9g} {:.9g}\n".format(
-                        *point))
-                stream.write("endloop\nendfacet\n")
-        stream.write("endsolid tube\n")
+    stlFile.write(path, (triangle for i, one in enumerate(rings)
+                         for triangle in strip(one, rings[i - 1])))
 
 
 if __name__ == "__main__":

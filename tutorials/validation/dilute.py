@@ -24,8 +24,7 @@ def shear(name, n_dims, cells, shapes, placements, end, step=0.02, **entries):
         walls={"top": f"({half} 0 0)", "bottom": f"({-half} 0 0)"},
         shapes=shapes, placements=placements,
         properties="output { rheology yes; } "
-                   "contact { range 1; law { type elastic; stiffness 10; } "
-                   "lubrication { type Reynolds; } }",
+                   "contact { range 1; }",
         deltaT=step, endTime=end, writeInterval=end, p_tolerance=1e-9,
         U_tolerance=1e-10, **entries)
     case.set_velocity(lambda x, y, *z: (y, 0, 0)[:n_dims])

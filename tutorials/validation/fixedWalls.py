@@ -6,6 +6,7 @@ import math
 
 from common import Case, Row, body, placed
 import results
+import stlFile
 
 # Volume fraction, drag coefficient; cells per period for diameters of at least
 # 8 and 16 cells. There must be the band of the level set, 4 cells, between a
@@ -97,16 +98,7 @@ def write_tube(path, radii, ends, n, n_along):
         x, y = ends
         quadrangle((x, *a), (x, *b), (x, *d), (x, *c))
         quadrangle((y, *a), (y, *c), (y, *d), (y, *b))
-
-    with open(path, "w", encoding="ascii") as stream:
-        stream.write("solid tube\n")
-        for corners in triangles:
-            stream.write("facet normal 0 0 0\nouter loop\n")
-            for corner in corners:
-                stream.write("vertex {:.12g} {:.12g} {:.12g}\n"
-                             .format(*corner))
-            stream.write("endloop\nendfacet\n")
-        stream.write("endsolid tube\n")
+    stlFile.write(path, triangles)
 
 
 def pipe(cells):

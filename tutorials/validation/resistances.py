@@ -86,7 +86,7 @@ def forces(name, gap, step, radius, place):
     case = Case(
         f"resistances-{name}", box=(0, 0, side, side), cells=(side, side),
         viscosity=VISCOSITY, shapes=shapes, placements=placements,
-        properties="contact { law { type elastic; stiffness 1e-9; } } "
+        properties="contact { law { type none; } } "
                    "output { objectsEvery 1; }",
         deltaT=step/VISCOSITY, endTime=9*radius**2/VISCOSITY,
         timePrecision=12, writeInterval=1)

@@ -14,6 +14,7 @@ import math
 from common import Case, Row
 from fixedWalls import flux
 import results
+import stlFile
 
 BEND = 3
 
@@ -47,13 +48,7 @@ def write_vessel(path, axis, n):
                                    (axis[-1], rings[-1], 1)):
         for a, b in zip(ring, ring[1:] + ring[:1]):
             triangles.append(((*place, 0), a, b)[::turn])
-    with open(path, "w", encoding="ascii") as stream:
-        stream.write("solid vessel\n")
-        for corners in triangles:
-            stream.write("facet normal 0 0 0\nouter loop\n" + "".join(
-                "vertex {:.12g} {:.12g} {:.12g}\n".format(*corner)
-                for corner in corners) + "endloop\nendfacet\n")
-        stream.write("endsolid vessel\n")
+    stlFile.write(path, triangles)
 
 
 def straight(cells):

@@ -169,7 +169,6 @@ Foam::fsi::objectContact::objectContact
         grid.nDims(),
         grid.spacing(),
         leastModulus(bodies),
-        viscosity,
         sides.images()
     ),
     walls_(sides.walls()),
@@ -193,7 +192,7 @@ void Foam::fsi::objectContact::calculate
     setRanges();
     prepareSearch();
     const vectorField start(lessStandstill(surfaces().velocities(), step));
-    contactStep times(step.tau, step.dt, implicitness(step.dt), &start);
+    contactStep times(step.tau, step.dt, &start);
     times.rebound = keptSpeed(step.dt);
     contact_.calculate
     (

@@ -18,13 +18,6 @@ Foam::tmp<Foam::vectorField> Foam::fsi::objectContact::lessStandstill
 }
 
 
-Foam::scalar Foam::fsi::objectContact::implicitness(const scalar dt) const
-{
-    // In a step of second order impulses act on bodies that have turned
-    return start_.valid() ? 1 : 1 - 0.5*keptSpeed(dt);
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::objectContact::keepStart()

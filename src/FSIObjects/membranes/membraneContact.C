@@ -48,10 +48,7 @@ Foam::fsi::membraneContact::membraneContact
         contactLaw::New
         (
             dict.subDict("law"),
-            {
-                objects.grid().spacing(), range_, 1e-40,
-                objects.fluid().dynamicViscosity()
-            }
+            {objects.grid().spacing(), range_, 1e-40}
         )
     ),
     images_(objects.images()),

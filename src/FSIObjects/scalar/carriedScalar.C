@@ -12,7 +12,7 @@
 
 Foam::tmp<Foam::scalarField> Foam::fsi::carriedScalar::capacity() const
 {
-    const scalar whole = objects_.grid().faceArea()*objects_.grid().spacing();
+    const scalar whole = objects_.grid().cellVolume();
     auto tcapacity = newTmp<scalarField>(open_);
     forAll(open_, celli)
     {
@@ -25,7 +25,7 @@ Foam::tmp<Foam::scalarField> Foam::fsi::carriedScalar::capacity() const
 
 Foam::tmp<Foam::volScalarField> Foam::fsi::carriedScalar::share() const
 {
-    const scalar whole = objects_.grid().faceArea()*objects_.grid().spacing();
+    const scalar whole = objects_.grid().cellVolume();
     auto tshare = newTmp<volScalarField>(C_.name() + "Share", volumes_.field());
     volScalarField& share = tshare.ref();
     forAll(open_, celli)
@@ -40,7 +40,7 @@ Foam::tmp<Foam::volScalarField> Foam::fsi::carriedScalar::share() const
 
 void Foam::fsi::carriedScalar::addSources(scalarField& source)
 {
-    const scalar whole = objects_.grid().faceArea()*objects_.grid().spacing();
+    const scalar whole = objects_.grid().cellVolume();
     forAll(open_, celli)
     {
         if (surfaces_.partition(celli) > 0)
@@ -142,7 +142,7 @@ void Foam::fsi::carriedScalar::addBuoyancy(vectorField& source) const
     {
         return;
     }
-    const scalar whole = objects_.grid().faceArea()*objects_.grid().spacing();
+    const scalar whole = objects_.grid().cellVolume();
     const vector perDifference(-whole*expansion_*objects_.gravity());
     forAll(source, celli)
     {

@@ -10,7 +10,7 @@
 void Foam::fsi::carriedScalar::countBodies(const scalar perStep)
 {
     const scalarField last(inBodies_);
-    const scalar whole = objects_.grid().faceArea()*objects_.grid().spacing();
+    const scalar whole = objects_.grid().cellVolume();
     inBodies_ = Zero;
     forAll(open_, celli)
     {

@@ -87,8 +87,7 @@ void Foam::fsi::fixedScalarCells::fix
 ) const
 {
     const boolList& fixed = surfaces_.fixed();
-    const scalar whole =
-        geometry_.grid().faceArea()*geometry_.grid().spacing()/deltaT;
+    const scalar whole = geometry_.grid().cellVolume()/deltaT;
     scalarField& diagonal = equation.diag();
     scalarField& source = equation.source();
     const labelUList& own = C_.mesh().owner();

@@ -54,7 +54,7 @@ void Foam::fsi::heldVolumes::solve
 )
 {
     const fvMesh& mesh = grid_.mesh();
-    const scalar whole = grid_.faceArea()*grid_.spacing();
+    const scalar whole = grid_.cellVolume();
     const scalar conductance = sqr(reach)*whole;
     excess_.primitiveFieldRef() = Zero;
     excess_.correctBoundaryConditions();
@@ -179,8 +179,7 @@ Foam::tmp<Foam::scalarField> Foam::fsi::heldVolumes::advance
     }
     solve(target, left, open);
 
-    const scalar perExcess =
-        sqr(reach)*grid_.faceArea()*grid_.spacing()/dt;
+    const scalar perExcess = sqr(reach)*grid_.cellVolume()/dt;
     const labelUList& own = grid_.mesh().owner();
     const labelUList& nei = grid_.mesh().neighbour();
     forAll(own, facei)

@@ -51,7 +51,7 @@ Foam::tmp<Foam::scalarField> Foam::fsi::openVolumes
     const cartesianBlock corners(grid.corners());
     const scalarField& distance = objects.levelSet().cellDistance();
     const scalarField& atCorners = objects.levelSet().cornerDistance();
-    const scalar whole = grid.faceArea()*grid.spacing();
+    const scalar whole = grid.cellVolume();
     auto topen = newTmp<scalarField>(grid.mesh().nCells());
     scalarField& open = topen.ref();
     forAll(open, celli)

@@ -64,7 +64,6 @@ Foam::fsi::fluidStep::fluidStep
 {
     immersedMomentum::interpolation(phi_);
     stockInput::checkFluid(U_.mesh(), flow.law);
-    objects.contact().leaveFilmsToFlow(geometry_.seesFilms(objects.levelSet()));
     updateGeometry();
     fieldChecks::check
     (

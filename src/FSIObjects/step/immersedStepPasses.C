@@ -93,7 +93,7 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
     const vectorField& gradient = tgradient().primitiveField();
     const vectorField& last = gradient_().primitiveField();
     const boolList& inFluid = geometry_.fluidCell();
-    const scalar V = objects_.grid().faceArea()*objects_.grid().spacing();
+    const scalar V = objects_.grid().cellVolume();
     vectorField source(U_.size());
     forAll(source, celli)
     {

@@ -226,7 +226,7 @@ void Foam::fsi::forcedStep::force(fvVectorMatrix& UEqn)
     const scalarField fractions(coverage_.fractions());
     coefficient_.setSize(cells.size());
     coefficientField_.primitiveFieldRef() = Zero;
-    const scalar V = objects_.grid().faceArea()*objects_.grid().spacing();
+    const scalar V = objects_.grid().cellVolume();
     forAll(cells, i)
     {
         const label celli = cells[i];

@@ -33,7 +33,7 @@ bool Foam::fsi::forcedStep::readState()
     }
     updateCoverage();
     coefficient_ =
-        objects_.grid().faceArea()*objects_.grid().spacing()
+        objects_.grid().cellVolume()
        *scalarField(coefficientField_, coverage_.cells());
     return true;
 }

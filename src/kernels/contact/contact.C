@@ -16,18 +16,17 @@ static contactScales readScales
 (
     const dictionary& dict,
     const scalar spacing,
-    const scalar youngsModulus,
-    const scalar viscosity
+    const scalar youngsModulus
 )
 {
     checkKeys
     (
         dict,
-        {"range", "margin", "minimumGap", "search", "law", "lubrication"}
+        {"range", "margin", "minimumGap", "search", "law"}
     );
-    checkSubDicts(dict, {"search", "law", "lubrication"});
+    checkSubDicts(dict, {"search", "law"});
     const scalar range = contact::readRange(dict, spacing);
-    return {spacing, range, youngsModulus, viscosity};
+    return {spacing, range, youngsModulus};
 }
 
 } // End namespace fsi
@@ -42,11 +41,10 @@ Foam::fsi::contact::contact
     const direction nDims,
     const scalar spacing,
     const scalar youngsModulus,
-    const scalar viscosity,
     const periodicImages& images
 )
 :
-    scales_(readScales(dict, spacing, youngsModulus, viscosity)),
+    scales_(readScales(dict, spacing, youngsModulus)),
     margin_(readScalarBetween(dict, "margin", 1, 0, 20)*spacing),
     minimumGap_
     (
@@ -55,18 +53,9 @@ Foam::fsi::contact::contact
     images_(images),
     finder_(dict.subOrEmptyDict("search"), images_),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
-    film_(lubrication::New(dict.subOrEmptyDict("lubrication"), scales_)),
-    defence_(minimumGap_, margin_, nDims, images_),
+    defence_(minimumGap_, margin_, 0.5*spacing, nDims, images_),
     ranges_(scales_.range, min(minimumGap_, leastRange*spacing))
 {
-    if (film_->active() && !law_->takesLubrication())
-    {
-        FatalIOErrorInFunction(dict)
-            << "The law of dictionary " << dict.name() << " is '"
-            << law_->type() << "', which knows no lubrication (entry"
-            << " 'lubrication'); laws derived from potentialContact do:"
-            << " elastic, Morse" << exit(FatalIOError);
-    }
     if (images_.cyclic() && (needsMedialAxis() || needsInternalForces()))
     {
         FatalIOErrorInFunction(dict)
@@ -108,8 +97,8 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
 {
     return
     {
-        surfaces, velocities, bodies, pairs, film_(), scales_.range, step_,
-        exchange_, rigidTouch() ? minimumGap_ : 0, 0.5*scales_.spacing
+        surfaces, velocities, bodies, pairs, scales_.range, step_, exchange_,
+        law_->rigidTouch() ? minimumGap_ : 0, 0.5*scales_.spacing
     };
 }
 
@@ -211,15 +200,9 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 )
 {
     step_ = step;
-    step_.setRestitution(law_->restitution());
-    if (law_->hasFriction())
-    {
-        // Bodies that are to rest must not swing
-        step_.implicitness = 1;
-    }
+    step_.rebound *= law_->restitution();
     measure(surfaces, bodies, walls, medialAxis);
 
-    film_->update(surfaces);
     force.setSize(surfaces.points().size());
     force = Zero;
     const contactPairs& acting = ranges_.acting(surfaces, found_, margin_);

@@ -46,12 +46,14 @@ Foam::fsi::gapDefence::gapDefence
 (
     const scalar minimumGap,
     const scalar margin,
+    const scalar patchDepth,
     const direction nDims,
     periodicImages& images
 )
 :
     minimumGap_(minimumGap),
     margin_(margin),
+    patchDepth_(patchDepth),
     finder_(dictionary(), images),
     limiter_(dictionary()),
     moved_(nDims)
@@ -157,10 +159,12 @@ Foam::label Foam::fsi::gapDefence::limit
     }
 
     // Their gaps at the start of the step, along the same normals
+    contactStep step(dt);
+    step.rebound = 0;
     const contactProblem problem
     {
-        moved_, velocities, bodies, closing_, noFilm_, minimumGap_,
-        contactStep(dt, 1), exchange
+        moved_, velocities, bodies, closing_, minimumGap_, step, exchange,
+        minimumGap_, patchDepth_
     };
     for (contactPair& pair : closing_.pairs)
     {

@@ -153,6 +153,7 @@ def main(folder):
         case = channel(folder, name, **changes)
         case.run("fsiPisoFoam")
         flap_bends(report, case, -0.01)
+        report.attempt("checkObjects", case.run, "checkObjects")
         if not solid:
             rigid_bodies(report, case)
         else:

@@ -161,16 +161,16 @@ def given_loads(report, folder):
 
 
 def on_incline(folder, name, friction, ranks=1):
-    """A disc that starts at rest near the lower wall, after 0.25 s."""
+    """A disc that starts at rest on the lower wall, after 0.25 s."""
     case = fsiCase.Case(
         os.path.join(folder, name), box=(0, 0, 1.2, 0.6), cells=(48, 24),
         density=1e-4, viscosity=0.01, gravity="(7 -7 0)",
-        properties="contact { range 1; law { stiffness 1000;"
+        properties="contact { range 1; law {"
                    f" tolerance 1e-6; frictionCoefficient {friction}; }} }}\n",
         shapes="disc { shape { type circle; radius 0.15; } material "
                "{ type rigid; density 1; } }",
         placements="a { type listed; shape disc; objects "
-                   "({ centre (0.35 0.17 0); }); }",
+                   "({ centre (0.35 0.1525 0); }); }",
         deltaT=0.0025, endTime=0.25, writeInterval=100,
         writePrecision=17).set_up()
     if ranks > 1:

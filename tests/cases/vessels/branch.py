@@ -6,6 +6,7 @@ import os
 
 import fsiCase
 import results
+import stlFile
 
 # Ends of the duct, of width 1, and of its branch from x = 1 to x = 2. They are
 # off the lines of the vessel's mesh
@@ -29,27 +30,9 @@ def write_duct(path):
     """The duct and its branch, which reach out of the box, from z = 0 to 1."""
     squares = [(-1, 0, 1, 1), (1, 0, 2, 1), (2, 0, RIGHT + 1, 1),
                (1, 1, 2, TOP + 1)]
-    triangles, edges = [], set()
-    for x0, y0, x1, y1 in squares:
-        loop = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
-        for a, b, c in ((0, 1, 2), (0, 2, 3)):
-            flat = [loop[i] for i in (a, b, c)]
-            triangles.append([(*p, 1) for p in flat])
-            triangles.append([(*p, 0) for p in reversed(flat)])
-        for a, b in zip(loop, loop[1:] + loop[:1]):
-            if (b, a) in edges:
-                edges.remove((b, a))
-            else:
-                edges.add((a, b))
-    for a, b in sorted(edges):
-        triangles += [[(*a, 0), (*b, 0), (*b, 1)], [(*a, 0), (*b, 1), (*a, 1)]]
-    with open(path, "w", encoding="ascii") as stream:
-        stream.write("solid duct\n")
-        for corners in triangles:
-            stream.write("facet normal 0 0 0\nouter loop\n" + "".join(
-                "vertex {:.9g} {:.9g} {:.9g}\n".format(*corner)
-                for corner in corners) + "endloop\nendfacet\n")
-        stream.write("endsolid duct\n")
+    stlFile.write(path, stlFile.extruded(
+        [[(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+         for x0, y0, x1, y1 in squares], 0, 1))
 
 
 def outflow(case, patch):

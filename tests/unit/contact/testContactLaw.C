@@ -52,7 +52,7 @@ TEST(ContactLaw, smoothAtTheRangeAndStrongAtContact)
 TEST(ContactLaw, adhesionHasItsMinimumAtTheEquilibriumGap)
 {
     // Far from the cut-off, where the potential is that of the books
-    const contactScales wide{0.1, 3, 50, 0};
+    const contactScales wide{0.1, 3, 50};
     autoPtr<contactLaw> law
     (
         contactLaw::New(dictOf("type Morse; adhesionEnergy 3;"), wide)

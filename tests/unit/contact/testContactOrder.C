@@ -42,6 +42,7 @@ struct packedDiscs
 {
     explicit packedDiscs(const labelList& places)
     {
+        feelLaw = true;
         ids = places;
         for (const label place : places)
         {

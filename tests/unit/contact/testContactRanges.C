@@ -14,6 +14,7 @@ const scalar h = 0.25;
 rigidBodies lattice(const scalar gap, const scalar speed)
 {
     rigidBodies world(3);
+    world.feelLaw = true;
     for (label i = 0; i < 8; ++i)
     {
         const vector side(i % 2 ? 1 : -1, i/2 % 2 ? 1 : -1, i/4 ? 1 : -1);

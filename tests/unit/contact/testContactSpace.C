@@ -172,6 +172,7 @@ TEST(ContactSpace, lawsPushApartAndPull)
     {
         const vector n(0.6, 0, 0.8);
         rigidBodies world(3);
+        world.feelLaw = true;
         add(world, sphereAtOrigin(1, 3), Zero, Zero);
         add(world, sphereAtOrigin(1, 3), (2 + gap)*n, Zero);
         contact contacts(contactOf("law { " + law + " }"));

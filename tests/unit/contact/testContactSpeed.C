@@ -83,7 +83,8 @@ struct manySpheres
         const clock_t found = ::clock();
         const label sweeps = law.calculate
         (
-            surfaces, surfaces.velocities(), bodies, walls, axis, dt, force
+            surfaces, surfaces.velocities(), bodies, walls, axis,
+            contactStep(dt), force
         ).sweeps;
         const clock_t end = ::clock();
         std::cout

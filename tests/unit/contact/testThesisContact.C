@@ -43,7 +43,7 @@ TEST(ContactLaw, thesisCancelStopsCollidingNodes)
     law.calculate
     (
         world.surfaces, world.surfaces.velocities(), world.bodies, world.walls,
-        UList<medialAxisPoint>(), dt, world.force
+        UList<medialAxisPoint>(), contactStep(dt), world.force
     );
     label nStopped = 0;
     forAll(world.force, i)

@@ -211,7 +211,7 @@ vector forceOnFirst(const vector& shift, const periodicImages& images)
         }
     }
 
-    contact touch(dictionary(), 2, 0.02, 1e3, 0, images);
+    contact touch(dictionary(), 2, 0.02, 1e3, images);
     vectorField force;
     const contactStatistics& s = touch.calculate
     (
@@ -220,7 +220,7 @@ vector forceOnFirst(const vector& shift, const periodicImages& images)
         bodies,
         UList<contactWall>(),
         UList<medialAxisPoint>(),
-        1e-3,
+        contactStep(1e-3),
         force
     );
     EXPECT_EQ(s.contacts, 1);

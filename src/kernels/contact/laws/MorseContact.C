@@ -29,7 +29,8 @@ Foam::fsi::MorseContact::MorseContact
     (
         dict,
         scales,
-        readPositive(dict, "equilibriumGap", 1)*scales.spacing
+        readPositive(dict, "equilibriumGap", 1)*scales.spacing,
+        scales.stiffness(dict)
     ),
     cutOff_(scales.range),
     depth_(readPositive(dict, "adhesionEnergy")),

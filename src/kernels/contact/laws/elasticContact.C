@@ -26,18 +26,12 @@ Foam::fsi::elasticContact::elasticContact
     const dictionary& dict,
     const contactScales& scales,
     const scalar reach,
+    const scalar stiffness,
     const bool rigidTouch
 )
 :
     potentialContact(dict, scales),
-    stiffness_
-    (
-        rigidTouch
-      ? scales.youngsModulus
-      : scales.youngsModulus > 0
-      ? readPositive(dict, "stiffness", scales.youngsModulus)
-      : readPositive(dict, "stiffness")
-    ),
+    stiffness_(stiffness),
     reach_(reach),
     rigidTouch_(rigidTouch)
 {}
@@ -54,7 +48,10 @@ Foam::fsi::elasticContact::elasticContact
         dict,
         scales,
         scales.range,
-        scales.youngsModulus <= 0 && !dict.found("stiffness")
+        scales.youngsModulus > 0 || dict.found("stiffness")
+      ? scales.stiffness(dict)
+      : 0,
+        !dict.found("stiffness")
     )
 {
     checkKeys(dict, keys({"stiffness"}));

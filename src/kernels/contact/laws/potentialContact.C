@@ -71,32 +71,25 @@ Foam::scalar Foam::fsi::potentialContact::endGap
 (
     const contactState& pair,
     const scalar coast,
-    const scalar factor,
-    const scalar drag
+    const scalar factor
 ) const
 {
     const scalar g0 = pair.gap;
-    const scalar psi0 = pair.psi(g0);
-    const scalar least = drag > 0 ? min(g0, coast) : coast;
 
-    // The residual g - coast - factor*mean + drag*(psi - psi0) is concave and
-    // increasing: Newton steps reach its root from below, after at most one
-    // step across it
+    // The residual g - coast - factor*mean is concave and increasing: Newton
+    // steps reach its root from below, after at most one step across it
     scalar g = max
     (
-        least,
+        coast,
         pair.guess < range_ ? pair.guess : 0.25*min(g0, range_)
     );
     for (label i = 0; i < 100; ++i)
     {
         scalar slope;
         const scalar mean = meanRepulsion(g0, g, slope);
-        const scalar residual =
-            g - coast - factor*mean + drag*(pair.psi(g) - psi0);
-        const scalar step =
-            residual/(1 - factor*slope + drag*pair.psiSlope(g));
+        const scalar step = (g - coast - factor*mean)/(1 - factor*slope);
         const scalar old = g;
-        g = max(g - step, least);
+        g = max(g - step, coast);
         // Quadratic: the error is far smaller than the last step
         if (mag(g - old) < 1e-9*range_)
         {
@@ -112,8 +105,7 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
 {
     const scalar gap = pair.gap;
     const scalar perPressure = pair.dt*pair.compliance*pair.area;
-    const scalar factor = pair.duration*perPressure;
-    const scalar drag = perPressure*pair.resistance;
+    const scalar factor = pair.dt*perPressure;
     const scalar pull = gap < range_ ? attraction(gap) : 0;
     const scalar straight = gap + pair.dt*pair.velocity;
     const scalar coast = straight - factor*pull;
@@ -123,34 +115,20 @@ Foam::fsi::potentialContact::impulse(const contactState& pair) const
     }
 
     scalar push = 1;
-    scalar end = endGap(pair, coast, factor, drag);
-    const scalar hold = pair.duration*pair.film.largestPull();
-    if
-    (
-        end > gap
-     && pair.resistance*(pair.psi(end) - pair.psi(gap)) > hold
-    )
-    {
-        end = endGap(pair, coast - perPressure*hold, factor, 0);
-        scalar slope;
-        const scalar mean = meanRepulsion(gap, end, slope);
-        return pair.area*(pair.duration*(mean - pull) - hold);
-    }
+    scalar end = endGap(pair, coast, factor);
     if (end < gap && approachFactor_ > 1)
     {
         push = approachFactor_;
-        end = min(endGap(pair, coast, push*factor, drag), gap);
+        end = min(endGap(pair, coast, push*factor), gap);
     }
 
     // From the law where it is soft, else from the gap it leads to: each is
     // the one that is less sensitive to an error of the gap
     scalar slope;
     const scalar mean = push*meanRepulsion(gap, end, slope);
-    if (drag*pair.psiSlope(end) - push*factor*slope < 1 && end != gap)
+    if (-push*factor*slope < 1 && end != gap)
     {
-        const scalar film = pair.psi(end) - pair.psi(gap);
-        return
-            pair.area*(pair.duration*(mean - pull) - pair.resistance*film);
+        return pair.area*pair.dt*(mean - pull);
     }
     return (end - straight)/(pair.dt*pair.compliance);
 }
@@ -206,7 +184,7 @@ Foam::scalar Foam::fsi::potentialContact::potentialEnergy
     scalar sum = 0;
     for (const contactPair& pair : problem.found.pairs)
     {
-        if (problem.touching > 0 && problem.rigid(pair))
+        if (problem.touch(pair))
         {
             continue;
         }

@@ -26,12 +26,7 @@ Foam::fsi::thesisContact::thesisContact
     const contactScales& scales
 )
 :
-    stiffness_
-    (
-        scales.youngsModulus > 0
-      ? readPositive(dict, "stiffness", scales.youngsModulus)
-      : readPositive(dict, "stiffness")
-    ),
+    stiffness_(scales.stiffness(dict)),
     restLength_(readPositive(dict, "restLength", 2)*scales.range),
     cancel_(dict.lookupOrDefault<Switch>("cancel", true)),
     warned_(false)

@@ -102,8 +102,8 @@ Foam::fsi::contactProblem Foam::fsi::contactFriction::with
     return
     {
         problem.surfaces, problem.velocities, problem.bodies, pairs_,
-        problem.film, problem.range, problem.step, problem.exchange,
-        problem.touching, problem.patchDepth, problem.walls
+        problem.range, problem.step, problem.exchange, problem.touching,
+        problem.patchDepth, problem.walls
     };
 }
 
@@ -112,20 +112,12 @@ void Foam::fsi::contactFriction::setLoad
 (
     const contactProblem& problem,
     const label pairi,
-    const scalar impulse,
-    const scalar resistance,
-    const scalar startGap,
-    const scalar endGap
+    const scalar impulse
 )
 {
     const contactPair& pair = problem.found.pairs[pairi];
-    const scalar film =
-        resistance > 0
-      ? problem.area(pair)*resistance
-       *(problem.film.psi(startGap) - problem.film.psi(endGap))
-      : 0;
     const bool smooth = pair.wall >= 0 && (*problem.walls)[pair.wall].smooth();
-    loads_[pairi] = smooth ? 0 : max(impulse - max(film, 0.0), 0.0);
+    loads_[pairi] = smooth ? 0 : max(impulse, 0.0);
 }
 
 

@@ -42,6 +42,35 @@ static bool sameObjects
      || (ownA == b.other && a.other == ownB);
 }
 
+
+//- Pairs of a patch and their weights
+using weightedPairs = std::vector<std::pair<label, scalar>>;
+
+
+//- Largest difference between the velocities of the pairs of a patch and its
+//  own, at the start of the step [m/s]
+static scalar spread
+(
+    const contactProblem& problem,
+    const weightedPairs& pairs
+)
+{
+    const vectorField& v = problem.surfaces.velocities();
+    scalar mean = 0;
+    for (const auto& p : pairs)
+    {
+        const contactPair& pair = problem.found.pairs[p.first];
+        mean += p.second*problem.normalVelocity(pair, v);
+    }
+    scalar most = 0;
+    for (const auto& p : pairs)
+    {
+        const contactPair& pair = problem.found.pairs[p.first];
+        most = max(most, mag(problem.normalVelocity(pair, v) - mean));
+    }
+    return most;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -66,7 +95,11 @@ Foam::scalar Foam::fsi::contactPatches::patch::relax
         const scalar speed =
             min(-before_, -after)
           - (step.tau != step.dt ? mag(after - before_) : 0);
-        least_ = speed > 0 ? max(step.rebound*speed - still_, floor) : floor;
+        // Below the spread it is the speed of facets that roll
+        least_ =
+            step.rebound > 0 && speed > spread(problem, pairs_)
+          ? max(step.rebound*speed - still_, floor)
+          : floor;
     }
     // Once they touch they do so until the sweeps end, or these might not end
     touches_ = touches_ || free < floor;

@@ -15,64 +15,6 @@ Foam::fsi::contactSolver::contactSolver(const dictionary& dict)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::contactSolver::relax
-(
-    const contactProblem& problem,
-    const contactRule& rule,
-    const label pairi
-)
-{
-    const contactPair& pair = problem.found.pairs[pairi];
-    if (pair.component >= 0)
-    {
-        return pair.component > 0 ? 0 : relaxFriction(problem, pairi);
-    }
-    if (patches_.has(pairi))
-    {
-        return relaxPatch(problem, pairi);
-    }
-    const scalar compliance = compliances_[pairi];
-    if (compliance < VSMALL)
-    {
-        return 0;
-    }
-
-    const scalar time = times_[pairi];
-    const scalar u =
-        velocity(problem, pairi) + addedVelocities_[pairi]
-      - compliance*impulses_[pairi];
-
-    // With the gap stretched by c an energy s w(c g)/c has the pressure w'
-    const scalar c = pair.stretch;
-    const scalar impulse = c*rule.impulse
-    (
-        contactState
-        {
-            problem.area(pair)/c, c*startGaps_[pairi], c*u,
-            sqr(c)*compliance, time, problem.step.dt, problem.film,
-            resistances_[pairi], c*endGaps_[pairi], c
-        }
-    );
-    endGaps_[pairi] = startGaps_[pairi] + time*(u + compliance*impulse);
-
-    const scalar change = impulse - impulses_[pairi];
-    if (change != 0)
-    {
-        addImpulse(problem, pairi, change);
-        impulses_[pairi] = impulse;
-    }
-    if (friction_.active())
-    {
-        friction_.setLoad
-        (
-            problem, pairi, impulse, resistances_[pairi],
-            startGaps_[pairi], endGaps_[pairi]
-        );
-    }
-    return mag(change)*compliance*time;
-}
-
-
 Foam::scalar Foam::fsi::contactSolver::sweep
 (
     const contactProblem& problem,
@@ -160,23 +102,16 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
     endGaps_.setSize(nPairs);
     endGaps_ = GREAT;
     addedVelocities_.setSize(nPairs);
-    times_.setSize(nPairs);
     impulses_.setSize(nPairs);
     impulses_ = 0;
-    resistances_.setSize(nPairs);
     for (label i = 0; i < nPairs; ++i)
     {
         const contactPair& pair = problem.found.pairs[i];
         compliances_[i] =
             response_.compliance(i)
           + (problem.exchange ? shared_.compliance(i) : 0);
-        resistances_[i] = problem.film.resistance
-        (
-            problem.surfaces.pointObject()[pair.node], pair
-        );
         startGaps_[i] = problem.startGap(pair);
         addedVelocities_[i] = problem.addedVelocity(pair);
-        times_[i] = problem.time(pair);
     }
     patches_.set(problem, order_, shared_);
 }

@@ -31,6 +31,59 @@ void Foam::fsi::contactSolver::addImpulse
 }
 
 
+Foam::scalar Foam::fsi::contactSolver::relax
+(
+    const contactProblem& problem,
+    const contactRule& rule,
+    const label pairi
+)
+{
+    const contactPair& pair = problem.found.pairs[pairi];
+    if (pair.component >= 0)
+    {
+        return pair.component > 0 ? 0 : relaxFriction(problem, pairi);
+    }
+    if (patches_.has(pairi))
+    {
+        return relaxPatch(problem, pairi);
+    }
+    const scalar compliance = compliances_[pairi];
+    if (compliance < VSMALL)
+    {
+        return 0;
+    }
+
+    const scalar dt = problem.step.dt;
+    const scalar u =
+        velocity(problem, pairi) + addedVelocities_[pairi]
+      - compliance*impulses_[pairi];
+
+    // With the gap stretched by c an energy s w(c g)/c has the pressure w'
+    const scalar c = pair.stretch;
+    const scalar impulse = c*rule.impulse
+    (
+        contactState
+        {
+            problem.area(pair)/c, c*startGaps_[pairi], c*u,
+            sqr(c)*compliance, dt, c*endGaps_[pairi], c
+        }
+    );
+    endGaps_[pairi] = startGaps_[pairi] + dt*(u + compliance*impulse);
+
+    const scalar change = impulse - impulses_[pairi];
+    if (change != 0)
+    {
+        addImpulse(problem, pairi, change);
+        impulses_[pairi] = impulse;
+    }
+    if (friction_.active())
+    {
+        friction_.setLoad(problem, pairi, impulse);
+    }
+    return mag(change)*compliance*dt;
+}
+
+
 Foam::scalar Foam::fsi::contactSolver::relaxFriction
 (
     const contactProblem& problem,
@@ -83,6 +136,7 @@ Foam::scalar Foam::fsi::contactSolver::relaxPatch
     {
         u += each.second*velocity(problem, each.first);
     }
+    const scalar time = problem.step.tau;
     const scalar change = patch->relax(u, problem);
     for (const auto& each : patch->pairs())
     {
@@ -91,19 +145,38 @@ Foam::scalar Foam::fsi::contactSolver::relaxPatch
             addImpulse(problem, each.first, each.second*change);
             impulses_[each.first] += each.second*change;
         }
+    }
+    scalar largest = mag(change)*patch->compliance();
+    for (const auto& each : patch->pairs())
+    {
+        const label i = each.first;
+        if (compliances_[i] > VSMALL)
+        {
+            const scalar own = impulses_[i] - each.second*patch->impulse();
+            const scalar least = min
+            (
+                (0.5*problem.touching - problem.found.pairs[i].gap)/time,
+                scalar(0)
+            );
+            const scalar push = max
+            (
+                (least - velocity(problem, i))/compliances_[i], -own
+            );
+            if (push != 0)
+            {
+                addImpulse(problem, i, push);
+                impulses_[i] += push;
+                largest = max(largest, mag(push)*compliances_[i]);
+            }
+        }
         if (friction_.active())
         {
-            friction_.setLoad
-            (
-                problem, each.first, impulses_[each.first], 0,
-                startGaps_[each.first], startGaps_[each.first]
-            );
+            friction_.setLoad(problem, each.first, impulses_[each.first]);
         }
     }
-    const scalar time = problem.step.tau;
     endGaps_[pairi] =
         patch->gap() + time*(u + patch->compliance()*change);
-    return mag(change)*patch->compliance()*time;
+    return largest*time;
 }
 
 
