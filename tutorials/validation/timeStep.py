@@ -16,7 +16,7 @@ CELLS, STEPS = 64, (0.01, 0.005, 0.0025, 0.00125)
 
 # Entries of the coupling, the largest error of a step with them (with one pass
 # it is only reported), and those whose small steps are the limit
-COUPLINGS = {"one pass": ("passes 1;", None), "passes": ("", 0.01)}
+COUPLINGS = {"one pass": ("passes 1;", None), "passes 4": ("passes 4;", 0.01)}
 CONVERGED = "passes 20; passTolerance 0.0005;"
 
 # Fourteen discs on 35 % of the same box, reported only
