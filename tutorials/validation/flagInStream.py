@@ -13,11 +13,11 @@ long.
 
 import math
 
-import results
 from common import Case, Row
 from cylinder import risings
+from flap import HALF_WIDTH, RIGHT, bar, free_end
 
-HEIGHT, LENGTH, RADIUS, HALF_WIDTH, END = 0.41, 1.6, 0.05, 0.01, 0.6
+HEIGHT, LENGTH, RADIUS = 0.41, 1.6, 0.05
 
 CENTRE = (0.2, 0.2)
 
@@ -27,7 +27,8 @@ def outline(h):
     first = math.asin(HALF_WIDTH/RADIUS)
     n = round((2*math.pi - 2*first)*RADIUS/h)
     turns = [first + (2*math.pi - 2*first)*i/n for i in range(n + 1)]
-    return [(END, CENTRE[1] - HALF_WIDTH), (END, CENTRE[1] + HALF_WIDTH)] + [
+    return [(RIGHT, CENTRE[1] - HALF_WIDTH),
+            (RIGHT, CENTRE[1] + HALF_WIDTH)] + [
         (CENTRE[0] + RADIUS*math.cos(a), CENTRE[1] + RADIUS*math.sin(a))
         for a in turns]
 
@@ -49,14 +50,7 @@ def flag(number, across, speed, shear, **controls):
               "right": ("type zeroGradient;",
                         "type fixedValue; value uniform 0;")},
         properties="output { objectsEvery 1; }",
-        shapes=f"""flag
-        {{
-            shape    {{ type polygon; file "constant/flag.csv"; }}
-            material {{ type neoHookean; density 1000; E {10/3*shear!r};
-                        areaStiffness {10*shear!r}; strain smoothed; }}
-            hold     {{ cylinder {{ type sphere; centre (0.2 0.2 0);
-                        radius {RADIUS + 0.1*h!r}; }} }}
-        }}""",
+        shapes=bar("flag", shear, RADIUS + 0.1*h),
         placements="flag { type inPlace; shape flag; }", **controls)
     case.text("constant/flag.csv",
               "".join(f"{x!r} {y!r}\n" for x, y in outline(h)))
@@ -65,29 +59,13 @@ def flag(number, across, speed, shear, **controls):
     return case
 
 
-def ends(case):
-    """Displacement of the middle of the free end, at each written time."""
-    moves, start, node = [], None, 0
-    for time in results.times(case.path):
-        flat = results.numbers(results.read(
-            case.path, time, "uniform/fsiObjects/flag"), "positions")
-        n = len(flat)//2
-        if start is None:
-            start = flat
-            node = min(range(n), key=lambda i: math.hypot(
-                flat[i] - END, flat[n + i] - CENTRE[1]))
-        moves.append((flat[node] - start[node],
-                      flat[n + node] - start[n + node]))
-    return moves
-
-
 def steady(across=4):
     """FSI1: Re 20, the flag comes to rest."""
     case = flag(1, across, 0.2, 0.5e6, deltaT=0.04/across, endTime=12,
                 writeInterval=2)
     minutes = case.solve()
     last = case.objects()[-1]
-    x, y = ends(case)[-1]
+    x, y = free_end(case, "flag")[-1]
     for what, reference, value, part in (
             ("drag [N/m]", 14.29426, last["forceX"]/case.spacing(), 0.03),
             ("lift [N/m]", 0.7637460, last["forceY"]/case.spacing(), 0.1),
@@ -109,7 +87,7 @@ def swing(across=4):
     yield Row("flag in a stream (FSI3), frequency [1/s]",
               f"{across} cells across", 5.3,
               (len(turns) - 1)/(turns[-1] - turns[0]), 0.1*5.3, minutes)
-    x, y = zip(*[(1e3*x, 1e3*y) for x, y in ends(case)[-50:]])
+    x, y = zip(*[(1e3*x, 1e3*y) for x, y in free_end(case, "flag")[-50:]])
     drag, lift = ([row[key]/case.spacing() for row in rows]
                   for key in ("forceX", "forceY"))
     for what, values, mean, amplitude, mean_part, part in (

@@ -24,28 +24,34 @@ def flap(name, across, shear, scheme, **controls):
     case = Case(
         f"flap-{name}-{across}", box=(0.04, 0.04, 0.68, 0.36), cells=cells,
         density=1e-9, gravity="(0 -2 0)", properties="coupling { type none; }",
-        shapes=f"""flap
-        {{
-            shape    {{ type polygon; file "constant/bar.csv"; }}
-            material {{ type neoHookean; density 1000; E {10/3*shear!r};
-                        areaStiffness {10*shear!r}; strain smoothed; }}
-            hold     {{ root {{ type sphere; centre (0.2 0.2 0);
-                        radius 0.0511; }} }}
-        }}""",
+        shapes=bar("flap", shear, 0.0511),
         placements="flap { type inPlace; shape flap; }",
         time_scheme=scheme, writeInterval=0.02, **controls)
     corners = ((LEFT, -1), (RIGHT, -1), (RIGHT, 1), (LEFT, 1))
-    case.text("constant/bar.csv", "".join(
+    case.text("constant/flap.csv", "".join(
         f"{x} {MIDDLE + side*HALF_WIDTH}\n" for x, side in corners))
     return case
 
 
-def tip(case):
+def bar(name, shear, root):
+    """The shape, whose outline is in constant/NAME.csv; root: radius of the
+    sphere about (0.2, 0.2) that holds it."""
+    return f"""{name}
+        {{
+            shape    {{ type polygon; file "constant/{name}.csv"; }}
+            material {{ type neoHookean; density 1000; E {10/3*shear!r};
+                        areaStiffness {10*shear!r}; strain smoothed; }}
+            hold     {{ root {{ type sphere; centre (0.2 0.2 0);
+                        radius {root!r}; }} }}
+        }}"""
+
+
+def free_end(case, name):
     """Displacement of the middle of the free end, at each written time."""
     moves, start, node = [], None, 0
     for time in results.times(case.path):
         flat = results.numbers(results.read(
-            case.path, time, "uniform/fsiObjects/flap"), "positions")
+            case.path, time, f"uniform/fsiObjects/{name}"), "positions")
         n = len(flat)//2
         if start is None:
             start = flat
@@ -61,7 +67,8 @@ def csm(number, across, shear, reference):
     case = flap(f"csm{number}", across, shear, "Euler", deltaT=0.02,
                 endTime=12)
     minutes = case.solve()
-    for what, value, exact in zip(("x", "y"), tip(case)[-1], reference):
+    last = free_end(case, "flap")[-1]
+    for what, value, exact in zip(("x", "y"), last, reference):
         yield Row(f"flap under gravity (CSM {number}), displacement of its end "
                   f"in {what}", f"{across} cells across", exact, value,
                   0.03*abs(exact), minutes)
@@ -73,7 +80,7 @@ def csm3(across):
     case = flap("csm3", across, 0.5e6, "backward", deltaT=0.005,
                 endTime=round(3*period, 2))
     minutes = case.solve()
-    moves = tip(case)[-round(2*period/0.02):]
+    moves = free_end(case, "flap")[-round(2*period/0.02):]
     for what, place, mean, amplitude in (("x", 0, -0.014305, 0.014305),
                                          ("y", 1, -0.063607, 0.065160)):
         values = [move[place] for move in moves]

@@ -4,30 +4,6 @@
 #include "nearSurfaces.H"
 #include "rotations.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Does a node lie behind a wall?
-static bool behindWall(const domainSides& sides, const closedSurface& surface)
-{
-    for (const point& p : surface.points())
-    {
-        if (sides.behindWall(p))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::fsi::objectFeed::findPlace
@@ -86,7 +62,7 @@ bool Foam::fsi::objectFeed::findPlace
 
         const closedSurface candidate(shape_.moved(rotation, centre));
         // An opening may be no rectangle
-        bool free = !behindWall(sides_, candidate);
+        bool free = !sides_.behindWall(candidate.points());
         for (const closedSurface& other : others)
         {
             free = free && !candidate.closerThan(other, minimumGap_);

@@ -52,7 +52,7 @@ Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
         if
         (
             sides_[sidei] == domainSides::WALL
-         && sides_.behindWall(centreOf(box))
+         && sides_.behindWall(pointField(1, centreOf(box)))
         )
         {
             FatalErrorInFunction

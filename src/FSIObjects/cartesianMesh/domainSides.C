@@ -210,14 +210,17 @@ Foam::scalar Foam::fsi::domainSides::beyond
 }
 
 
-bool Foam::fsi::domainSides::behindWall(const point& p) const
+bool Foam::fsi::domainSides::behindWall(const UList<point>& points) const
 {
     vector away;
     for (const contactWall& wall : walls_)
     {
-        if (wall.gap(p, away) < 0)
+        for (const point& p : points)
         {
-            return true;
+            if (wall.gap(p, away) < 0)
+            {
+                return true;
+            }
         }
     }
     return false;

@@ -64,8 +64,6 @@ std::string Foam::fsi::motionCheck::namesOf(const labelPair& pair) const
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
 void Foam::fsi::motionCheck::checkSpeeds
 (
     const vector& box,
@@ -136,6 +134,52 @@ void Foam::fsi::motionCheck::checkPrescribed(const vector& period) const
 }
 
 
+void Foam::fsi::motionCheck::checkElements() const
+{
+    if (objects_.nDims() == 2)
+    {
+        return;
+    }
+    for (label objecti = 0; objecti < objects_.size(); ++objecti)
+    {
+        const bodyGroup& group =
+            objects_.groups()[objects_.objectGroup(objecti)];
+        const label number = nInverted(group, objects_.objectCopy(objecti));
+        if (number > 0)
+        {
+            const word& name = group.shape().name();
+            FatalErrorInFunction
+                << "The tetrahedra at " << number << " nodes of object "
+                << objects_.objectId(objecti) << " are inverted at time "
+                << nameOf(time_) << ": the body, of shape "
+                << time_.path()/caseConstant(time_)/bodyGroups::folder/name
+                << ", has turned inside out there" << nl
+                << "Take a smaller deltaT or adjustTimeStep with maxCo, a "
+                << "larger E or a viscosity (material), or a finer mesh; the "
+                << "state of the last written time is in uniform/"
+                << bodyGroups::folder/name
+                << exit(FatalError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::motionCheck::check
+(
+    const vector& box,
+    const scalar spacing,
+    const vector& period
+) const
+{
+    checkSpeeds(box, spacing);
+    checkElements();
+    checkPrescribed(period);
+}
+
+
+
 void Foam::fsi::motionCheck::checkOverlaps
 (
     const vector& period,
@@ -175,36 +219,6 @@ void Foam::fsi::motionCheck::checkOverlaps
                 << " overlap at the start, time " << nameOf(time_)
                 << ": no force could part them. checkObjects lists all; seed"
                 << " them anew, or start from another time"
-                << exit(FatalError);
-        }
-    }
-}
-
-
-void Foam::fsi::motionCheck::checkElements() const
-{
-    if (objects_.nDims() == 2)
-    {
-        return;
-    }
-    for (label objecti = 0; objecti < objects_.size(); ++objecti)
-    {
-        const bodyGroup& group =
-            objects_.groups()[objects_.objectGroup(objecti)];
-        const label number = nInverted(group, objects_.objectCopy(objecti));
-        if (number > 0)
-        {
-            const word& name = group.shape().name();
-            FatalErrorInFunction
-                << "The tetrahedra at " << number << " nodes of object "
-                << objects_.objectId(objecti) << " are inverted at time "
-                << nameOf(time_) << ": the body, of shape "
-                << time_.path()/caseConstant(time_)/bodyGroups::folder/name
-                << ", has turned inside out there" << nl
-                << "Take a smaller deltaT or adjustTimeStep with maxCo, a "
-                << "larger E or a viscosity (material), or a finer mesh; the "
-                << "state of the last written time is in uniform/"
-                << bodyGroups::folder/name
                 << exit(FatalError);
         }
     }

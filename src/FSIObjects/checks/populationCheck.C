@@ -180,12 +180,9 @@ void Foam::fsi::populationCheck::checkAreas
 
 bool Foam::fsi::populationCheck::isOutside(const UList<point>& points) const
 {
-    for (const point& p : points)
+    if (sides_.behindWall(points))
     {
-        if (sides_.behindWall(p))
-        {
-            return true;
-        }
+        return true;
     }
     const boundBox box(points, false);
     for (label sidei = 0; sidei < 2*nDims_; ++sidei)

@@ -25,25 +25,22 @@ namespace fsi
 //  its libraries
 static const dictionary& checked(const Time& time, const dictionary& dict)
 {
+    const wordList parts
+    ({
+        "levelSet", "coupling", "membranes", "contact", "boundaries",
+        "drivingForce", "frame", "scalars", "output", "ranks"
+    });
+    wordList keys
+    ({
+        "fluidDensity", "gravity", "wall", "minWallDistance",
+        "shortWaveStress", "libs"
+    });
+    keys.append(parts);
     userVariables::checkFileKeys
     (
-        dict,
-        {
-            "fluidDensity", "gravity", "wall", "minWallDistance",
-            "shortWaveStress", "levelSet", "coupling", "membranes", "contact",
-            "boundaries", "drivingForce", "frame", "scalars", "output", "ranks",
-            "libs"
-        },
-        {"convection", "faceHistory", "transposedStress"}
+        dict, keys, {"convection", "faceHistory", "transposedStress"}
     );
-    checkSubDicts
-    (
-        dict,
-        {
-            "levelSet", "coupling", "membranes", "contact", "boundaries",
-            "drivingForce", "frame", "scalars", "output", "ranks"
-        }
-    );
+    checkSubDicts(dict, parts);
     openLibraries(time, dict);
     return dict;
 }
@@ -135,22 +132,9 @@ Foam::fsi::fsiObjects::fsiObjects
     }
     renew();
     seedRecord::check(bodies_, mesh.time(), sides_, grid_.spacing());
-    checkMotion();
-    motionCheck(bodies_, mesh.time()).checkOverlaps
-    (
-        sides_.period(), contact_.letsOverlap()
-    );
-}
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::fsiObjects::checkMotion() const
-{
-    const motionCheck check(bodies_, mesh_.time());
-    check.checkSpeeds(grid_.bounds().span(), grid_.spacing());
-    check.checkElements();
-    check.checkPrescribed(sides_.period());
+    const motionCheck motion(bodies_, mesh.time());
+    motion.check(grid_.bounds().span(), grid_.spacing(), sides_.period());
+    motion.checkOverlaps(sides_.period(), contact_.letsOverlap());
 }
 
 
@@ -166,11 +150,8 @@ void Foam::fsi::fsiObjects::write() const
 
 Foam::scalar Foam::fsi::fsiObjects::courantNo() const
 {
-    scalar largest = 0;
-    for (const vector& vi : bodies_.surfaces().velocities())
-    {
-        largest = max(largest, cmptMax(cmptMag(vi)));
-    }
+    const vectorField& v = bodies_.surfaces().velocities();
+    const scalar largest = v.size() ? cmptMax(max(cmptMag(v))) : 0;
     return bodies_.ranks().largest(largest)*deltaT()/grid_.spacing();
 }
 

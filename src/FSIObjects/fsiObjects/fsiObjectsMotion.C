@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiObjects.H"
+#include "motionCheck.H"
 #include "timeRule.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -143,7 +144,10 @@ void Foam::fsi::fsiObjects::move(const groupNodal& v, const stepLength& step)
     }
     contact_.jump(step);
     updateSurfaces();
-    checkMotion();
+    motionCheck(bodies_, mesh_.time()).check
+    (
+        grid_.bounds().span(), grid_.spacing(), sides_.period()
+    );
 }
 
 

@@ -81,7 +81,7 @@ Foam::scalar Foam::fsi::objectsPressure::energy(const vectorField& U) const
     {
         squares += fluid[celli] ? magSqr(U[celli]) : 0;
     }
-    return squares*geometry_.grid().faceArea()*geometry_.grid().spacing();
+    return squares*geometry_.grid().cellVolume();
 }
 
 

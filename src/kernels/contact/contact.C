@@ -19,11 +19,7 @@ static contactScales readScales
     const scalar youngsModulus
 )
 {
-    checkKeys
-    (
-        dict,
-        {"range", "margin", "minimumGap", "search", "law"}
-    );
+    checkKeys(dict, {"range", "margin", "minimumGap", "search", "law"});
     checkSubDicts(dict, {"search", "law"});
     const scalar range = contact::readRange(dict, spacing);
     return {spacing, range, youngsModulus};

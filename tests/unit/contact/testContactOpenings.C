@@ -80,6 +80,19 @@ scalar rimGap(const rigidBodies& world, const scalar range)
 }
 
 
+//- Least gap of nodes from the first wall, and of rims from bodies, at most
+//  the range [m]
+scalar leastGap(const rigidBodies& world, const scalar range)
+{
+    scalar least = rimGap(world, range);
+    for (const point& p : world.surfaces.points())
+    {
+        least = min(least, gapOf(world.walls[0], p));
+    }
+    return least;
+}
+
+
 contact contactOf(const std::string& text, const direction nDims = 2)
 {
     return contact(dictionary(IStringStream(text)()), nDims, h, 1);
@@ -127,11 +140,7 @@ TEST(ContactOpenings, anEdgeBetweenTwoNodesPushesThem)
         energy = max(energy, kinetic + world.statistics.potentialEnergy);
         kinetic = world.kineticEnergy();
         world.update();
-        least = min(least, rimGap(world, 1));
-        for (const point& p : world.surfaces.points())
-        {
-            least = min(least, gapOf(world.walls[0], p));
-        }
+        least = min(least, leastGap(world, 1));
     }
     EXPECT_GT(least, 0.09*h);
     EXPECT_LT(energy, 0.5*1.001);
@@ -157,11 +166,7 @@ TEST(ContactOpenings, discsPassOrAreHeld)
                 world.solids[0].velocity += 0.002*down;
                 world.advance(touch, 0.02);
                 world.update();
-                least = min(least, rimGap(world, 1));
-                for (const point& p : world.surfaces.points())
-                {
-                    least = min(least, gapOf(world.walls[0], p));
-                }
+                least = min(least, leastGap(world, 1));
             }
             EXPECT_GT(least, 0) << "offset " << offset << ' ' << law;
             const scalar y = world.solids[0].centre.y();
@@ -200,11 +205,7 @@ TEST(ContactOpenings, spheresPassOrAreHeld)
             world.solids[0].velocity += 0.004*down;
             world.advance(touch, 0.04);
             world.update();
-            least = min(least, rimGap(world, 1));
-            for (const point& p : world.surfaces.points())
-            {
-                least = min(least, gapOf(world.walls[0], p));
-            }
+            least = min(least, leastGap(world, 1));
         }
         EXPECT_GT(least, 0) << offset.x();
         const scalar y = world.solids[0].centre.y();

@@ -54,9 +54,13 @@ void Foam::fsi::contactGeometry::appendRims
             {
                 x.z() = surfaces.points()[surfaces.pointStart()[objecti]].z();
             }
+            if (!near.contains(x))
+            {
+                continue;
+            }
             const label start = surfaces.faceStart()[objecti];
             const label end = surfaces.faceStart()[objecti + 1];
-            for (label facei = start; facei < end && near.contains(x); ++facei)
+            for (label facei = start; facei < end; ++facei)
             {
                 const nearestFace place(nearestOn(surfaces, facei, x));
                 if (magSqr(place.offset) <= sqr(range))

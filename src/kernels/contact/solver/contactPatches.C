@@ -43,30 +43,21 @@ static bool sameObjects
 }
 
 
-//- Pairs of a patch and their weights
-using weightedPairs = std::vector<std::pair<label, scalar>>;
-
-
 //- Largest difference between the velocities of the pairs of a patch and its
-//  own, at the start of the step [m/s]
+//  own velocity u, at the start of the step [m/s]
 static scalar spread
 (
     const contactProblem& problem,
-    const weightedPairs& pairs
+    const std::vector<std::pair<label, scalar>>& pairs,
+    const scalar u
 )
 {
     const vectorField& v = problem.surfaces.velocities();
-    scalar mean = 0;
-    for (const auto& p : pairs)
-    {
-        const contactPair& pair = problem.found.pairs[p.first];
-        mean += p.second*problem.normalVelocity(pair, v);
-    }
     scalar most = 0;
     for (const auto& p : pairs)
     {
         const contactPair& pair = problem.found.pairs[p.first];
-        most = max(most, mag(problem.normalVelocity(pair, v) - mean));
+        most = max(most, mag(problem.normalVelocity(pair, v) - u));
     }
     return most;
 }
@@ -97,7 +88,7 @@ Foam::scalar Foam::fsi::contactPatches::patch::relax
           - (step.tau != step.dt ? mag(after - before_) : 0);
         // Below the spread it is the speed of facets that roll
         least_ =
-            step.rebound > 0 && speed > spread(problem, pairs_)
+            step.rebound > 0 && speed > spread(problem, pairs_, before_)
           ? max(step.rebound*speed - still_, floor)
           : floor;
     }

@@ -171,7 +171,7 @@ Foam::scalar Foam::fsi::contactSolver::relaxPatch
         }
         if (friction_.active())
         {
-            friction_.setLoad(problem, each.first, impulses_[each.first]);
+            friction_.setLoad(problem, i, impulses_[i]);
         }
     }
     endGaps_[pairi] =
