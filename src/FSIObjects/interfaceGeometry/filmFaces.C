@@ -69,9 +69,9 @@ void Foam::fsi::filmFaces::measure
     // A film that crosses the face is not closed by errors of the corners'
     // distances
     const scalar least =
-        crosses ? min(width, scalar(0.5)) : 0;
+        crosses ? min(width, scalar(0.5)) : smallestOpenness;
     const scalar closed = film.closed[0] + film.closed[1];
-    if (crosses && closed > 1 - least)
+    if (closed > 1 - least && (crosses || closed < 1))
     {
         for (scalar& part : film.closed)
         {

@@ -14,9 +14,6 @@ namespace Foam
 namespace fsi
 {
 
-//- Faces open by less than this are closed
-static const scalar smallestOpenness = 1e-6;
-
 //- A face whose owner is farther from the surfaces, in cells, is open or closed
 //  as a whole, and so are those next to it: less than the band's least width
 static const scalar nearest = 2.5;
@@ -54,7 +51,7 @@ Foam::scalar Foam::fsi::openParts::openPart
         return lowest > 0 ? 1 : 0;
     }
     const scalar open = wall_.openness(distance, nCorners, inCell, beyond);
-    return open < smallestOpenness ? 0 : open;
+    return open < filmFaces::smallestOpenness ? 0 : open;
 }
 
 
@@ -88,8 +85,7 @@ void Foam::fsi::openParts::setOpenness
     films_.update(levelSet, surfaces, nearFaces_);
     for (const filmFace& film : films_.faces())
     {
-        openness_[film.face] =
-            max(1 - film.closed[0] - film.closed[1], smallestOpenness);
+        openness_[film.face] = 1 - film.closed[0] - film.closed[1];
     }
 
     // On cyclic patches the distances of both sides differ by round-off

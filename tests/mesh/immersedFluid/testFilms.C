@@ -66,6 +66,18 @@ scalar friction(const surfacesInBox& objects, const Counts& counts)
 }
 
 
+//- Part of a face that surfaces cover; its area is 1
+scalar covered(const interfaceGeometry& geometry, const label facei)
+{
+    scalar sum = 0;
+    for (const wallFace& w : geometry.wallFaces())
+    {
+        sum += w.face == facei ? w.area : 0;
+    }
+    return sum;
+}
+
+
 //- Integral of one over the gap between two circles
 scalar exactFriction(const scalar gap)
 {
@@ -110,6 +122,39 @@ TEST(films, carryTheShearBetweenTheirSurfaces)
 }
 
 
+TEST(films, facesThatAreHardlyOpenHaveTheRestClosed)
+{
+    // Move the discs until the first one has just not closed a face, that of
+    // the second is beyond
+    const point middle(15.5, 10, 0);
+    for (const direction split : {0, 1})
+    {
+        discsInBox discs(split);
+        scalar open = 15.5, closed = 16.5;
+        for (label i = 0; i < 45; ++i)
+        {
+            const scalar x = i < 44 ? 0.5*(open + closed) : open;
+            discs.move(pairOfDiscs(x, 0.3));
+            const interfaceGeometry& geometry = discs.geometry();
+            scalar part = 0;
+            for (const filmFace& film : geometry.films().faces())
+            {
+                const vector to(discs.mesh().faceCentres()[film.face] - middle);
+                if (mag(to.x()) + mag(to.y()) > 0.1)
+                {
+                    continue;
+                }
+                part = geometry.openness()[film.face];
+                EXPECT_NEAR(covered(geometry, film.face) + part, 1, 1e-12);
+            }
+            const scalar ofAll = overRanks(part, maxOp<scalar>());
+            EXPECT_TRUE(i < 44 || (ofAll > 0 && ofAll < 2e-6)) << ofAll;
+            (ofAll > 0 ? open : closed) = x;
+        }
+    }
+}
+
+
 TEST(films, openFacesByWhatIsBetweenBothSurfaces)
 {
     const scalar gap = 0.3;
@@ -131,14 +176,12 @@ TEST(films, openFacesByWhatIsBetweenBothSurfaces)
                         radius - Foam::sqrt(sqr(radius) - 0.25);
                     EXPECT_NEAR(film.gap, gap + 2*depth, 0.03);
                     open += geometry.openness()[film.face];
-                    scalar covered = 0;
-                    for (const wallFace& w : geometry.wallFaces())
-                    {
-                        covered += w.face == film.face ? w.area : 0;
-                    }
                     EXPECT_NEAR
                     (
-                        covered + geometry.openness()[film.face], 1, 1e-9
+                        covered(geometry, film.face)
+                      + geometry.openness()[film.face],
+                        1,
+                        1e-9
                     );
                 }
             }
