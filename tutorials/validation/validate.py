@@ -13,6 +13,7 @@ import math
 import sys
 import time
 
+import airfoil
 import budget
 import cavity
 import common
@@ -41,7 +42,8 @@ import vessel
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, resistances, suspension, flap,
-           vessel, dilute, scalars, redCell, movingFrame, flagInStream)
+           vessel, dilute, scalars, redCell, movingFrame, flagInStream,
+           airfoil)
 
 
 def collected(name):
