@@ -108,7 +108,7 @@ Foam::scalarField Foam::fsi::meanViscosities
     typedef objectRanks::values values;
     bodies.ranks().collect
     (
-        {values::ofNodes(links), values::ofNodes(viscosities)}
+        {values::ofWalls(links), values::ofWalls(viscosities)}
     );
     scalarField mean(bodies.size(), 1.0);
     forAll(mean, objecti)

@@ -23,7 +23,7 @@ static scalarField facesOfNodes
     {
         link.place.spread(faces, 1.0);
     }
-    ranks.collect({objectRanks::values::ofNodes(faces)});
+    ranks.collect({objectRanks::values::ofWalls(faces)});
     return faces;
 }
 

@@ -90,7 +90,7 @@ void Foam::fsi::viscousCoupling::nodeVelocity(nodeLayout::groupNodal& v)
     nodal_.reset(bodies_.surfaces().points().size());
     links_.addForce(fluid_.density, nodal_);
     films_.addForce(fluid_.density, nodal_);
-    vectorField& force = nodal_.collect(bodies_.ranks());
+    vectorField& force = nodal_.collectWalls(bodies_.ranks());
     force += strainForce_;
     bodies_.layout().toBoundary(force, groupForce_);
     forAll(v, groupi)
@@ -115,9 +115,16 @@ void Foam::fsi::viscousCoupling::overRelax(nodeLayout::groupNodal& v)
 }
 
 
+void Foam::fsi::viscousCoupling::setNodes(const nodeLayout::groupNodal& v)
+{
+    bodies_.layout().toSurface(v, nodalVelocity_, false);
+    bodies_.ranks().spread({objectRanks::values::ofWalls(nodalVelocity_)});
+}
+
+
 void Foam::fsi::viscousCoupling::setWalls(const nodeLayout::groupNodal& v)
 {
-    bodies_.layout().toSurface(v, nodalVelocity_);
+    setNodes(v);
     links_.setSources(nodalVelocity_);
 }
 
@@ -131,7 +138,7 @@ void Foam::fsi::viscousCoupling::startCorrection(const scalar norm)
 
 void Foam::fsi::viscousCoupling::moveWalls(const nodeLayout::groupNodal& v)
 {
-    bodies_.layout().toSurface(v, nodalVelocity_);
+    setNodes(v);
     links_.setResiduals(nodalVelocity_);
 }
 

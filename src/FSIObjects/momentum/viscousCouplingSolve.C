@@ -22,7 +22,7 @@ void Foam::fsi::viscousCoupling::finish
     );
     partialForces all(linkForce_);
     films_.addForce(fluid_.density, nodalVelocity_, all);
-    force = all.collect(bodies_.ranks());
+    force = all.collectWalls(bodies_.ranks());
     addShortWaveForce
     (
         bodies_, fluid_, geometry_.grid().thickness(), relative_,
@@ -149,7 +149,7 @@ void Foam::fsi::viscousCoupling::linkForceBeyond
     (
         geometry_, fluid_.dynamicViscosity(), U, nodalVelocity_, beyond
     );
-    force = beyond.collect(bodies_.ranks());
+    force = beyond.collectWalls(bodies_.ranks());
 }
 
 

@@ -127,7 +127,7 @@ void Foam::fsi::heldObjects::renumber(const List<labelPair>& guests)
     }
     if (!ranks_.shared())
     {
-        ranks_.setNodes(surfaces_.pointStart());
+        ranks_.setNodes(surfaces_);
         layout_.appendGuests
         (
             surfaces_.pointStart().last() - surfaces_.pointStart()[size()],

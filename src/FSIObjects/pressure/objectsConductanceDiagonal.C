@@ -49,7 +49,7 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
         }
     }
 
-    bodies_.ranks().spread({objectRanks::values::ofNodes(mobility)});
+    bodies_.ranks().spread({objectRanks::values::ofWalls(mobility)});
     for (const cellWall& w : geometry_.surfaceParts())
     {
         const vector squares(cmptMultiply(w.area, w.area));

@@ -183,7 +183,7 @@ void Foam::fsi::immersedStep::settle()
         velocity_.surface(),
         loss
     );
-    vectorField& force = loss.collect(objects_.bodies().ranks());
+    vectorField& force = loss.collectWalls(objects_.bodies().ranks());
     force *= objects_.fluid().density;
     vectorField links;
     viscous_.linkForceBeyond(U_, links);

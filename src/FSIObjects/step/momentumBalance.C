@@ -56,7 +56,7 @@ void Foam::fsi::momentumBalance::setLayer
             );
         }
     });
-    layer.transfer(part.collect(bodies_.ranks()));
+    layer.transfer(part.collectWalls(bodies_.ranks()));
 }
 
 
@@ -212,7 +212,7 @@ void Foam::fsi::momentumBalance::beginMove
             places_.append(kept(wall.place));
         }
     });
-    owed_ += density_*inertia.collect(bodies_.ranks());
+    owed_ += density_*inertia.collectWalls(bodies_.ranks());
 }
 
 
@@ -224,7 +224,7 @@ void Foam::fsi::momentumBalance::endMove(const volVectorField& U)
 
     vectorField layer;
     setLayer(U, v, layer);
-    owed_ += density_*(passed.collect(bodies_.ranks()) + layer - layer_);
+    owed_ += density_*(passed.collectWalls(bodies_.ranks()) + layer - layer_);
     layer_ = layer;
     wall_ = v;
 }

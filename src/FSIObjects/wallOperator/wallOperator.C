@@ -110,8 +110,8 @@ void Foam::fsi::wallOperator::setOutside
 {
     partialForces load(nNodes_), cut(nNodes_);
     cuts_.addPressure(p, cut.mine(), load.mine());
-    uniformForce_ += cut.collect(ranks_);
-    force = load.collect(ranks_);
+    uniformForce_ += cut.collectWalls(ranks_);
+    force = load.collectWalls(ranks_);
 }
 
 
@@ -189,7 +189,7 @@ void Foam::fsi::wallOperator::gradientForce
             }
         }
     }
-    f.transfer(part.collect(ranks_));
+    f.transfer(part.collectWalls(ranks_));
 }
 
 

@@ -24,7 +24,7 @@ void Foam::fsi::wallOperator::transposeSums
 
     ranks_.collect
     ({
-        objectRanks::values::ofNodes(force),
+        objectRanks::values::ofWalls(force),
         objectRanks::values::ofObjects(meanPressure_)
     });
 }
@@ -74,7 +74,7 @@ void Foam::fsi::wallOperator::addFluxAtWalls
     heldVelocity_ = v;
     ranks_.spread
     ({
-        objectRanks::values::ofNodes(heldVelocity_),
+        objectRanks::values::ofWalls(heldVelocity_),
         objectRanks::values::ofObjects(net)
     });
     addFluxLess(net, heldVelocity_, Jv);

@@ -11,7 +11,8 @@ namespace
 using namespace Foam;
 using Foam::fsi::staggeredLattice;
 
-//- Points of a kernel along a direction: distances in the array, and weights
+//- Points of a kernel along a direction: distances in the array, and weights;
+//  none if all are out of the block
 template<int width>
 struct pointsAlong
 {
@@ -34,12 +35,13 @@ struct pointsAlong
             return;
         }
         const fsi::deltaKernel<width> kernel(place);
-        n = width;
+        n = 0;
         for (label i = 0; i < width; ++i)
         {
             const label at = lattice.along(kernel.first + i, d);
             places[i] = at < 0 ? 0 : at*lattice.stride(d);
             weights[i] = at < 0 ? 0 : kernel.weights[i];
+            n = at < 0 ? n : width;
         }
     }
 };
@@ -63,6 +65,10 @@ void Foam::fsi::staggeredTransfer::forWeights
     {
         across[d].set(lattice_, place[d], d);
         beside[d].set(lattice_, place[d] - 0.5, d);
+        if (across[d].n == 0 && beside[d].n == 0)
+        {
+            return;
+        }
     }
     for (direction d = 0; d < lattice_.nDims; ++d)
     {

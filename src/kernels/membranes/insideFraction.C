@@ -72,6 +72,14 @@ void Foam::fsi::insideFraction::setBox(const UList<point>& points)
         n_[d] =
             label(std::floor((high[d] - origin[d])*perLength) - at) + 2;
     }
+    for (direction d = 1; d < 3; ++d)
+    {
+        here_[d - 1].setSize(n_[d]);
+        forAll(here_[d - 1], i)
+        {
+            here_[d - 1][i] = lattice_.along(first_[d] + i, d) >= 0;
+        }
+    }
     parts_.setSize(n_.x()*n_.y()*n_.z());
     parts_ = Zero;
     corners_.setSize(points.size());
@@ -110,9 +118,17 @@ void Foam::fsi::insideFraction::addTriangle(corner a, corner b, corner c)
     const int64_t highY = max(a.y, max(b.y, c.y));
     for (label k = firstRay(lowZ); (2*k + 1)*half <= highZ; ++k)
     {
+        if (!here_[1][k/nRays])
+        {
+            continue;
+        }
         const int64_t z = (2*k + 1)*half;
         for (label j = firstRay(lowY); (2*j + 1)*half <= highY; ++j)
         {
+            if (!here_[0][j/nRays])
+            {
+                continue;
+            }
             const int64_t y = (2*j + 1)*half;
             const int64_t ofC = leftOf(a.y, a.z, b.y, b.z, y, z);
             const int64_t ofA = leftOf(b.y, b.z, c.y, c.z, y, z);
@@ -159,6 +175,10 @@ void Foam::fsi::insideFraction::add
     {
         for (ijk.y() = 0; ijk.y() < n_.y(); ++ijk.y())
         {
+            if (!here_[0][ijk.y()] || !here_[1][ijk.z()])
+            {
+                continue;
+            }
             const label row = n_.x()*(ijk.y() + n_.y()*ijk.z());
             scalar sum = 0;
             for (ijk.x() = 0; ijk.x() < n_.x(); ++ijk.x())

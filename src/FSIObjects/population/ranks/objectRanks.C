@@ -20,6 +20,10 @@ void Foam::fsi::objectRanks::forNumbers
     {
         for (const label objecti : objects)
         {
+            if (each.walls && !hasWalls_[objecti])
+            {
+                continue;
+            }
             const label first = each.nodes ? pointStart_[objecti] : objecti;
             const label end =
                 each.nodes ? pointStart_[objecti + 1] : first + 1;
@@ -94,6 +98,17 @@ void Foam::fsi::objectRanks::share(const reachBoxes& reach)
     lent_.setSize(nRanksIn());
     guests_.setSize(nRanksIn());
     partner_.setSize(nRanksIn(), false);
+}
+
+
+void Foam::fsi::objectRanks::setNodes(const surfaceSet& surfaces)
+{
+    pointStart_ = surfaces.pointStart();
+    hasWalls_.setSize(surfaces.size());
+    forAll(hasWalls_, objecti)
+    {
+        hasWalls_[objecti] = surfaces.hasWalls(objecti);
+    }
 }
 
 
