@@ -50,10 +50,13 @@ void Foam::fsi::varyingStress::addTransposedAtPatch
 }
 
 
-Foam::scalar Foam::fsi::varyingStress::atFace(const label facei) const
+inline Foam::scalar Foam::fsi::varyingStress::atFace
+(
+    const label facei,
+    const label a,
+    const label b
+) const
 {
-    const label a = more_.mesh().owner()[facei];
-    const label b = more_.mesh().neighbour()[facei];
     return geometry_.fluidFace()[facei]*0.5*(more_[a] + more_[b]);
 }
 
@@ -88,13 +91,14 @@ void Foam::fsi::varyingStress::addDiffusion(fvVectorMatrix& UEqn) const
     const labelUList& nei = mesh.neighbour();
     forAll(upper, facei)
     {
-        const scalar g = perLength*atFace(facei);
+        const label a = own[facei], b = nei[facei];
+        const scalar g = perLength*atFace(facei, a, b);
         if (g != 0)
         {
             upper[facei] -= g;
             lower[facei] -= g;
-            diagonal[own[facei]] += g;
-            diagonal[nei[facei]] += g;
+            diagonal[a] += g;
+            diagonal[b] += g;
         }
     }
     forAll(more_.boundaryField(), patchi)
@@ -124,7 +128,7 @@ void Foam::fsi::varyingStress::addTransposed
         {
             continue;
         }
-        const scalar more = atFace(facei);
+        const scalar more = atFace(facei, a, b);
         const scalar ofA = more - constant(a);
         const scalar ofB = more - constant(b);
         if (ofA != 0 || ofB != 0)

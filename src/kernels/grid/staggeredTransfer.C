@@ -75,13 +75,15 @@ void Foam::fsi::staggeredTransfer::forWeights
         const pointsAlong<width>& px = d == 0 ? across[0] : beside[0];
         const pointsAlong<width>& py = d == 1 ? across[1] : beside[1];
         const pointsAlong<width>& pz = d == 2 ? across[2] : beside[2];
-        for (label k = 0; k < pz.n; ++k)
+        // Loops of a fixed length, but for the third direction
+        const label n = px.n > 0 && py.n > 0 ? pz.n : 0;
+        for (label k = 0; k < n; ++k)
         {
-            for (label j = 0; j < py.n; ++j)
+            for (label j = 0; j < width; ++j)
             {
                 const scalar w = pz.weights[k]*py.weights[j];
                 const label row = pz.places[k] + py.places[j];
-                for (label i = 0; i < px.n; ++i)
+                for (label i = 0; i < width; ++i)
                 {
                     action(d, row + px.places[i], w*px.weights[i]);
                 }

@@ -40,6 +40,13 @@ int64_t leftOf
 }
 
 
+//- Change of leftOf() from one ray to the next in y
+int64_t toNext(const int64_t z0, const int64_t z1)
+{
+    return (z0 - z1)*(2*half);
+}
+
+
 //- Do the points on an edge belong to the triangle on its left?
 bool ownsEdge
 (
@@ -72,12 +79,13 @@ void Foam::fsi::insideFraction::setBox(const UList<point>& points)
         n_[d] =
             label(std::floor((high[d] - origin[d])*perLength) - at) + 2;
     }
-    for (direction d = 1; d < 3; ++d)
+    for (direction d = 0; d < 3; ++d)
     {
-        here_[d - 1].setSize(n_[d]);
-        forAll(here_[d - 1], i)
+        places_[d].setSize(n_[d]);
+        forAll(places_[d], i)
         {
-            here_[d - 1][i] = lattice_.along(first_[d] + i, d) >= 0;
+            const label at = lattice_.along(first_[d] + i, d);
+            places_[d][i] = at < 0 ? -1 : at*lattice_.stride(d);
         }
     }
     parts_.setSize(n_.x()*n_.y()*n_.z());
@@ -118,37 +126,36 @@ void Foam::fsi::insideFraction::addTriangle(corner a, corner b, corner c)
     const int64_t highY = max(a.y, max(b.y, c.y));
     for (label k = firstRay(lowZ); (2*k + 1)*half <= highZ; ++k)
     {
-        if (!here_[1][k/nRays])
+        if (places_[2][k/nRays] < 0)
         {
             continue;
         }
         const int64_t z = (2*k + 1)*half;
-        for (label j = firstRay(lowY); (2*j + 1)*half <= highY; ++j)
+        label j = firstRay(lowY);
+        int64_t y = (2*j + 1)*half;
+        int64_t ofC = leftOf(a.y, a.z, b.y, b.z, y, z);
+        int64_t ofA = leftOf(b.y, b.z, c.y, c.z, y, z);
+        int64_t ofB = leftOf(c.y, c.z, a.y, a.z, y, z);
+        for (; y <= highY; ++j, y += 2*half)
         {
-            if (!here_[0][j/nRays])
+            const bool hit =
+                (ofC | ofA | ofB) >= 0
+             && places_[1][j/nRays] >= 0
+             && (ofC > 0 || ownsAB)
+             && (ofA > 0 || ownsBC)
+             && (ofB > 0 || ownsCA);
+            if (hit)
             {
-                continue;
+                const scalar x = (ofA*a.x + ofB*b.x + ofC*c.x)/area;
+                const label i = label(x);
+                const label row =
+                    n_.x()*(j/nRays + n_.y()*(k/nRays));
+                parts_[row + i] += sign*(i + 1 - x);
+                parts_[row + i + 1] += sign*(x - i);
             }
-            const int64_t y = (2*j + 1)*half;
-            const int64_t ofC = leftOf(a.y, a.z, b.y, b.z, y, z);
-            const int64_t ofA = leftOf(b.y, b.z, c.y, c.z, y, z);
-            const int64_t ofB = leftOf(c.y, c.z, a.y, a.z, y, z);
-            if
-            (
-                ofC < 0 || ofA < 0 || ofB < 0
-             || (ofC == 0 && !ownsAB)
-             || (ofA == 0 && !ownsBC)
-             || (ofB == 0 && !ownsCA)
-            )
-            {
-                continue;
-            }
-            const scalar x = (ofA*a.x + ofB*b.x + ofC*c.x)/area;
-            const label i = label(x);
-            const label row =
-                n_.x()*(j/nRays + n_.y()*(k/nRays));
-            parts_[row + i] += sign*(i + 1 - x);
-            parts_[row + i + 1] += sign*(x - i);
+            ofC += toNext(a.z, b.z);
+            ofA += toNext(b.z, c.z);
+            ofB += toNext(c.z, a.z);
         }
     }
 }
@@ -175,7 +182,8 @@ void Foam::fsi::insideFraction::add
     {
         for (ijk.y() = 0; ijk.y() < n_.y(); ++ijk.y())
         {
-            if (!here_[0][ijk.y()] || !here_[1][ijk.z()])
+            const label y = places_[1][ijk.y()], z = places_[2][ijk.z()];
+            if (y < 0 || z < 0)
             {
                 continue;
             }
@@ -184,12 +192,11 @@ void Foam::fsi::insideFraction::add
             for (ijk.x() = 0; ijk.x() < n_.x(); ++ijk.x())
             {
                 sum += parts_[row + ijk.x()];
-                const label place =
-                    mag(sum) > 1e-12 ? lattice_.place(first_ + ijk) : -1;
-                if (place >= 0)
+                const label x = places_[0][ijk.x()];
+                if (x >= 0 && mag(sum) > 1e-12)
                 {
-                    fraction[place] += sum;
-                    values[place] += value*sum;
+                    fraction[x + y + z] += sum;
+                    values[x + y + z] += value*sum;
                 }
             }
         }
