@@ -3,11 +3,45 @@
 #include "openBoundaries.H"
 #include "errorOf.H"
 #include "dictionaryCheck.H"
+#include "openfoamMesh.H"
 #include "openfoamVersion.H"
 #include "stateFile.H"
+#include "sumOverRanks.H"
 #include "userVariables.H"
 
 #include <map>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- The one of some patches that is nearest to a point. All ranks must call
+static const word& nearestPatch
+(
+    const polyBoundaryMesh& patches,
+    const wordList& names,
+    const point& p
+)
+{
+    scalarField nearest(names.size(), GREAT);
+    forAll(names, i)
+    {
+        const label patchi = patchOf(patches, names[i]);
+        for (label j = 0; patchi >= 0 && j < patches[patchi].size(); ++j)
+        {
+            const scalar away = magSqr(patches[patchi].faceCentres()[j] - p);
+            nearest[i] = min(nearest[i], away);
+        }
+    }
+    combineOverRanks(nearest, minEqOp<scalar>());
+    return names[findIndex(nearest, min(nearest))];
+}
+
+} // End namespace fsi
+} // End namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -121,17 +155,15 @@ bool Foam::fsi::openBoundaries::removeObjects()
         const label sidei = sideLeft(objecti);
         if (sidei >= 0)
         {
+            const point p(centreOf(objects_.surfaces().bounds(objecti)));
             leaving.append(objecti);
             mine.append(objects_.objectGroup(objecti));
             mine.append(objects_.objectId(objecti));
             mine.append(sidei);
-            mine.append
-            (
-                feedAt
-                (
-                    sidei, centreOf(objects_.surfaces().bounds(objecti))
-                )
-            );
+            mine.append(feedAt(sidei, p));
+            mine.append(p.x());
+            mine.append(p.y());
+            mine.append(p.z());
         }
     }
     if (objects_.ranks().largest(leaving.size()) == 0)
@@ -141,24 +173,26 @@ bool Foam::fsi::openBoundaries::removeObjects()
 
     // All ranks count and tell in the same order
     const scalarList numbers(objects_.ranks().gathered(scalarList(mine)));
-    std::map<labelPair, labelPair> sides;
-    for (label i = 0; i < numbers.size(); i += 4)
+    std::map<labelPair, label> order;
+    for (label i = 0; i < numbers.size(); i += 7)
     {
-        const labelPair key(label(numbers[i]), label(numbers[i + 1]));
-        sides[key] = labelPair(label(numbers[i + 2]), label(numbers[i + 3]));
+        order[labelPair(label(numbers[i]), label(numbers[i + 1]))] = i;
     }
-    for (const auto& left : sides)
+    for (const auto& left : order)
     {
-        const label sidei = left.second.first();
+        const scalar* of = &numbers[left.second];
+        const label sidei = label(of[2]);
         ++removed_[sidei];
         Info<< "Object " << left.first.second() << " of shape "
-            << objects_.shape(left.first.first()).name() << " left through";
-        for (const word& patch : sides_.patches(sidei))
-        {
-            Info<< " " << patch;
-        }
-        Info<< ", " << removed_[sidei] << " so far" << endl;
-        warn(left.second.second());
+            << objects_.shape(left.first.first()).name() << " left through "
+            << nearestPatch
+               (
+                   grid_.mesh().boundaryMesh(),
+                   sides_.patches(sidei),
+                   point(of[4], of[5], of[6])
+               )
+            << ", " << removed_[sidei] << " so far" << endl;
+        warn(label(of[3]));
     }
     objects_.remove(leaving);
     return true;

@@ -17,6 +17,81 @@ label sideCell(const UList<wallFace>& faces, const label side)
     return side % 2 ? w.upper : w.lower;
 }
 
+
+//- Place of a side about its cell: z, y and x below, then x, y and z above. The
+//  order of faces in the mesh is another one at patches, so between ranks
+direction sidePlace(const UList<wallFace>& faces, const label side)
+{
+    const direction dir = faces[side/2].dir;
+    return side % 2 ? 2 - dir : 3 + dir;
+}
+
+
+//- The face after a face and the last one, about a node; -1 if there is none
+label nextAbout
+(
+    const surfaceSet& surfaces,
+    const label nodei,
+    const label facei,
+    const label last
+)
+{
+    for (label i = 0; i < surfaces.nNodes(); ++i)
+    {
+        const label next = surfaces.faceAcross(facei, i);
+        if (surfaces.faces()[facei][i] != nodei && next != last)
+        {
+            return next;
+        }
+    }
+    return -1;
+}
+
+
+//- Append the faces that a place is on: one, or those at an edge or a node,
+//  where rounding tells which one has been found
+void appendFaces
+(
+    const surfaceSet& surfaces,
+    const label facei,
+    const surfacePlace& place,
+    DynamicList<label>& faces
+)
+{
+    faces.append(facei);
+    label nZero = 0;
+    label i = -1, node = -1;
+    for (label k = 0; k < surfaces.nNodes(); ++k)
+    {
+        const bool zero = place.weights[k] <= 0;
+        nZero += zero;
+        i = zero ? k : i;
+        node = zero ? node : surfaces.faces()[facei][k];
+    }
+    label last = facei;
+    label next = i < 0 ? -1 : surfaces.faceAcross(facei, i);
+    while (next >= 0 && next != facei)
+    {
+        faces.append(next);
+        const label after =
+            nZero < 2 ? -1 : nextAbout(surfaces, node, next, last);
+        last = next;
+        next = after;
+    }
+}
+
+
+//- The sum of the area vectors of faces
+vector areaNormal(const surfaceSet& surfaces, const UList<label>& faces)
+{
+    vector sum(Zero);
+    for (const label facei : faces)
+    {
+        sum += surfaces.areaNormal(facei);
+    }
+    return sum;
+}
+
 } // End anonymous namespace
 
 
@@ -48,26 +123,34 @@ void Foam::fsi::cellWalls::addPart
 {
     const label first = sides[0];
     const label object = faces[first/2].place.object;
-    const vector normal(surfaces.areaNormal(origins[first/2].surface));
+    DynamicList<label> near;
+    appendFaces
+    (
+        surfaces, origins[first/2].surface, faces[first/2].place, near
+    );
+    const vector normal(areaNormal(surfaces, near));
+    near.clear();
     cellWall wall{sideCell(faces, first), vector(Zero), surfacePlace()};
     point cuts(Zero), closed(Zero);
     scalar nCuts = 0, area = 0;
-    FixedList<label, 6> near;
-    label nNear = 0, nOthers = 0;
+    DynamicList<label> there;
+    label nOthers = 0;
     for (const label side : sides)
     {
         const wallFace& w = faces[side/2];
         const wallOrigin& origin = origins[side/2];
+        there.clear();
+        appendFaces(surfaces, origin.surface, w.place, there);
         if
         (
             w.place.object != object
-         || (surfaces.areaNormal(origin.surface) & normal) <= 0
+         || (areaNormal(surfaces, there) & normal) <= 0
         )
         {
             sides[nOthers++] = side;
             continue;
         }
-        near[nNear++] = origin.surface;
+        near.append(there);
         wall.area[w.dir] += side % 2 ? -w.area : w.area;
         closed += w.area*origin.middle;
         area += w.area;
@@ -84,7 +167,7 @@ void Foam::fsi::cellWalls::addPart
     (
         surfaces,
         nCuts > 0 ? point(cuts/nCuts) : point(closed/area),
-        UList<label>(near.data(), nNear),
+        near,
         found
     );
     parts_.append(wall);
@@ -108,6 +191,18 @@ void Foam::fsi::cellWalls::update
         for (label side = first; side >= 0; side = nextSide_[side])
         {
             sides.append(side);
+            for (label i = sides.size() - 1; i > 0; --i)
+            {
+                if
+                (
+                    sidePlace(faces, sides[i - 1])
+                 <= sidePlace(faces, sides[i])
+                )
+                {
+                    break;
+                }
+                std::swap(sides[i - 1], sides[i]);
+            }
         }
         while (sides.size())
         {

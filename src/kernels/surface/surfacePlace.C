@@ -19,13 +19,15 @@ struct nearestSoFar
     label face = -1;
     FixedList<scalar, 3> weights = FixedList<scalar, 3>(scalar(0));
 
-    //- Is a face nearer than the last ones?
-    bool take(const label facei)
+    //- Is a face nearer than the last ones? Of two at the same distance, to
+    //  six digits of its square if there is a choice, the first one counts
+    bool take(const label facei, const bool choice)
     {
         FixedList<scalar, 3> there;
         const scalar away =
             magSqr(surfaces.nearestOnFace(facei, p, there) - p);
-        if (away >= distance)
+        const scalar same = !choice ? 1 : facei < face ? 1 + 1e-6 : 1 - 1e-6;
+        if (away >= same*distance)
         {
             return false;
         }
@@ -44,7 +46,7 @@ struct nearestSoFar
             if (weights[i] <= 0)
             {
                 const label next = surfaces.faceAcross(face, i);
-                if (next >= 0 && take(next))
+                if (next >= 0 && take(next, false))
                 {
                     return true;
                 }
@@ -72,7 +74,7 @@ Foam::fsi::surfacePlace Foam::fsi::nearestPlace
     {
         if (facei >= 0 && facei != nearest.face)
         {
-            nearest.take(facei);
+            nearest.take(facei, true);
         }
     }
     if (nearest.face < 0)
