@@ -32,8 +32,8 @@ Foam::scalarList Foam::fsi::passAcceleration::factors() const
     scalarField sums(products);
     sumOverRanks(sums);
 
-    // In units of each difference's norm. Differences that others hold
-    // already get nothing
+    // In units of each difference's norm. Differences that others hold to 1e-4
+    // get nothing: what the solvers leave would decide on their factors
     Eigen::MatrixXd A(n, n);
     Eigen::VectorXd b(n), scale(n);
     label k = 0;
@@ -49,7 +49,7 @@ Foam::scalarList Foam::fsi::passAcceleration::factors() const
     A = (scale.asDiagonal()*A*scale.asDiagonal()).eval();
     b = scale.cwiseProduct(b).eval();
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(1e-10);
+    solver.setThreshold(1e-8);
     solver.compute(A);
     const Eigen::VectorXd x(scale.cwiseProduct(solver.solve(b)));
     for (label i = 0; i < n; ++i)

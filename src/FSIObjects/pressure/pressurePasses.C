@@ -3,6 +3,7 @@
 #include "pressurePasses.H"
 #include "activeMean.H"
 #include "dictionaryCheck.H"
+#include "largestSpeed.H"
 #include "runLog.H"
 #include "sumOverRanks.H"
 
@@ -32,15 +33,17 @@ bool Foam::fsi::pressurePasses::worse(const scalar nodes, const scalar fluid)
 Foam::fsi::pressurePasses::pressurePasses
 (
     const dictionary& dict,
-    const label most
+    const bool one
 )
 :
-    most_(readAtLeast(dict, "passes", most, 1)),
+    most_(readAtLeast(dict, "passes", one ? 1 : 16, 1)),
+    enough_(dict.found("passes") ? most_ : 4),
     tolerance_(readPositive(dict, "passTolerance", 0.002)),
     done_(0),
     error_(0),
     leastError_(0),
     firstSpeed_(0),
+    change_(GREAT),
     state_(state::open),
     acceleration_(most_)
 {}
@@ -61,7 +64,7 @@ void Foam::fsi::pressurePasses::measure
 (
     const FixedList<scalar, 2>& ofRank,
     const scalar atRest,
-    const scalar nodes,
+    const nodeLayout::groupNodal& velocity,
     const scalar fluid
 )
 {
@@ -69,6 +72,19 @@ void Foam::fsi::pressurePasses::measure
     sumOverRanks(squares);
     error_ = sqrt(squares[0]/max(squares[1], atRest));
     ++done_;
+    const scalar nodes =
+        overRanks(largestSpeed(velocity), maxOp<scalar>());
+    if (done_ > 1)
+    {
+        forAll(velocity, groupi)
+        {
+            velocity_[groupi] -= velocity[groupi];
+        }
+        change_ =
+            overRanks(largestSpeed(velocity_), maxOp<scalar>())
+           /max(nodes, VSMALL);
+    }
+    velocity_ = velocity;
     state_ =
         state_ == state::refused ? state::closed
       : worse(nodes, fluid) ? state::refused

@@ -38,7 +38,7 @@ Foam::fsi::immersedStep::immersedStep
     ),
     term_(objects.bodies(), walls_, objects.fluid().density),
     sudden_(objects, geometry_, walls_),
-    passes_(dict, objects.bodies().onlyMembranes() ? 1 : 4),
+    passes_(dict, objects.bodies().onlyMembranes()),
     balance_
     (
         objects.bodies(), geometry_, objects.levelSet(),

@@ -122,7 +122,7 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
     (
         squares,
         U_.mesh().globalData().nTotalCells()*sqr(objects_.restSpeed()),
-        objects_.bodies().ranks().largest(largestSpeed(velocity_.groups())),
+        velocity_.groups(),
         largestSpeed(U_, inFluid)
     );
     sources.correct(U_);
