@@ -35,6 +35,7 @@ import settlingSphere
 import shearBox
 import softDisc
 import suspension
+import tether
 import timeOrder
 import timeStep
 import vessel
@@ -43,7 +44,7 @@ MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, resistances, suspension, flap,
            vessel, dilute, scalars, redCell, movingFrame, flagInStream,
-           airfoil)
+           airfoil, tether)
 
 
 def collected(name):
