@@ -2,6 +2,7 @@
 
 #include "insideFraction.H"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -62,7 +63,7 @@ bool ownsEdge
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::insideFraction::setBox(const UList<point>& points)
+bool Foam::fsi::insideFraction::setBox(const UList<point>& points)
 {
     const point& origin = lattice_.origin;
     const scalar perLength = 1/lattice_.spacing;
@@ -88,6 +89,14 @@ void Foam::fsi::insideFraction::setBox(const UList<point>& points)
             places_[d][i] = at < 0 ? -1 : at*lattice_.stride(d);
         }
     }
+    const auto outside = [](const label at) { return at < 0; };
+    for (const labelList& along : places_)
+    {
+        if (std::all_of(along.begin(), along.end(), outside))
+        {
+            return false;
+        }
+    }
     parts_.setSize(n_.x()*n_.y()*n_.z());
     parts_ = Zero;
     corners_.setSize(points.size());
@@ -99,6 +108,7 @@ void Foam::fsi::insideFraction::setBox(const UList<point>& points)
         corners_[i].y = int64_t(perCell*(place.y() - first_.y()) + 0.5);
         corners_[i].z = int64_t(perCell*(place.z() - first_.z()) + 0.5);
     }
+    return true;
 }
 
 
@@ -172,7 +182,10 @@ void Foam::fsi::insideFraction::add
     scalarField& values
 )
 {
-    setBox(points);
+    if (!setBox(points))
+    {
+        return;
+    }
     for (const surfaceFace& f : faces)
     {
         addTriangle(corners_[f[0]], corners_[f[1]], corners_[f[2]]);

@@ -9,7 +9,7 @@
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 template<class Action>
-void Foam::fsi::objectRanks::forNumbers
+void Foam::fsi::objectRanks::forRanges
 (
     const labelUList& objects,
     const valueLists& all,
@@ -27,10 +27,7 @@ void Foam::fsi::objectRanks::forNumbers
             const label first = each.nodes ? pointStart_[objecti] : objecti;
             const label end =
                 each.nodes ? pointStart_[objecti + 1] : first + 1;
-            for (label i = each.width*first; i < each.width*end; ++i)
-            {
-                action(each.data[i]);
-            }
+            action(each.data + each.width*first, each.width*(end - first));
         }
     }
 }
@@ -49,23 +46,26 @@ void Foam::fsi::objectRanks::send
     DynamicList<scalar> sent;
     forAll(from, ranki)
     {
-        forNumbers(from[ranki], all, [&](const scalar value)
+        forRanges(from[ranki], all, [&](scalar* first, const label n)
         {
-            sent.append(value);
-            ++sentSizes[ranki];
+            sent.append(UList<scalar>(first, n));
+            sentSizes[ranki] += n;
         });
-        forNumbers(to[ranki], all, [&](const scalar)
+        forRanges(to[ranki], all, [&](const scalar*, const label n)
         {
-            ++receivedSizes[ranki];
+            receivedSizes[ranki] += n;
         });
     }
     const scalarList received(exchangeLists(sent, sentSizes, receivedSizes));
     const scalar* next = received.cdata();
     for (const labelList& objects : to)
     {
-        forNumbers(objects, all, [&](scalar& value)
+        forRanges(objects, all, [&](scalar* first, const label n)
         {
-            operation(value, *next++);
+            for (label i = 0; i < n; ++i)
+            {
+                operation(first[i], *next++);
+            }
         });
     }
 }
