@@ -46,7 +46,7 @@ def passing(n_dims, cells, offset):
         shapes=SHAPE[n_dims](1, "type rigid; density 1;"),
         placements=f"a {{ type listed; shape {shape}; objects ({bodies}); }}",
         properties="output { objectsEvery 1; }", deltaT=step,
-        endTime=round(4*START/offset/step)*step, writeInterval=1000)
+        endTime=round(5*START/offset/step)*step, writeInterval=1000)
     case.set_velocity(lambda x, y, *z: (y, 0, 0)[:n_dims])
     minutes = case.solve(40000)
     rows = case.objects()
@@ -85,8 +85,8 @@ def compare(n_dims, meshes, offset):
 
 def discs():
     """Two dimensions."""
-    for offset in (2, 1):
-        yield from compare(2, (4, 8, 16), offset)
+    for offset in (2, 1.5):
+        yield from compare(2, (4, 6, 12), offset)
 
 
 def spheres():

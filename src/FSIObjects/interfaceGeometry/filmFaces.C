@@ -184,9 +184,7 @@ void Foam::fsi::filmFaces::update
         const bool wall =
             search_.besideWall(owner[facei])
          && search_.chooseWall
-            (
-                grid_, surfaces, facei, min(between, grid_.spacing()), p
-            );
+            (grid_, surfaces, facei, min(between, limit), p);
         if (!wall && between >= limit)
         {
             continue;
