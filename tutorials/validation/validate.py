@@ -27,6 +27,7 @@ import lubrication
 import migration
 import movingFrame
 import oscillatingSphere
+import pairInShear
 import redCell
 import resistances
 import rigidStiff
@@ -42,9 +43,9 @@ import vessel
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
-           rigidStiff, oscillatingSphere, resistances, suspension, flap,
-           vessel, dilute, scalars, redCell, movingFrame, flagInStream,
-           airfoil, tether)
+           rigidStiff, oscillatingSphere, pairInShear, resistances,
+           suspension, flap, vessel, dilute, scalars, redCell, movingFrame,
+           flagInStream, airfoil, tether)
 
 
 def collected(name):
