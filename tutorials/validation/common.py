@@ -161,6 +161,26 @@ class Field:
                 + b*((1 - a)*v[k + self.nx] + a*v[k + self.nx + 1]))
 
 
+def sheared(name, half, cells, **parameters):
+    """A case of a shear flow of rate 1 along x, between walls that move, and
+    periodic else. half: of the box, whose middle is 0; cells: to a length of
+    1."""
+    case = Case(
+        name, box=tuple(-x for x in half) + tuple(half),
+        cells=tuple(round(2*x*cells) for x in half),
+        cyclic="x" if len(half) == 2 else "xz",
+        walls={"top": f"({half[1]} 0 0)", "bottom": f"({-half[1]} 0 0)"},
+        **parameters)
+    case.set_velocity(lambda x, y, z=0: (y, 0, 0)[:len(half)])
+    return case
+
+
+def carried(x, y, z=0):
+    """A listed object that this flow carries along."""
+    return (f"{{ centre ({x!r} {y!r} {z!r}); velocity ({y!r} 0 0); "
+            "angularVelocity (0 0 -0.5); }")
+
+
 def placed(shape, *centres):
     """Placement of objects at points."""
     objects = " ".join("{{ centre ({} {} {}); }}".format(*centre, 0)

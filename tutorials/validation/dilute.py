@@ -8,7 +8,7 @@ the area, and 20 spheres, whose stress parts add up to the walls' stress."""
 import math
 
 import results
-from common import Case, Row, sphere
+from common import Row, sheared, sphere
 
 SIDE = 10
 
@@ -16,18 +16,13 @@ SIDE = 10
 def shear(name, n_dims, cells, shapes, placements, end, step=0.02, **entries):
     """Runs a shear box of ten radii; mean of the columns of rheology.csv over
     the last quarter, and minutes."""
-    half = SIDE/2
-    case = Case(
-        f"dilute-{name}", box=(-half,)*n_dims + (half,)*n_dims,
-        cells=(SIDE*cells,)*n_dims, viscosity=10,
-        cyclic="xz" if n_dims == 3 else "x",
-        walls={"top": f"({half} 0 0)", "bottom": f"({-half} 0 0)"},
+    case = sheared(
+        f"dilute-{name}", (SIDE/2,)*n_dims, cells, viscosity=10,
         shapes=shapes, placements=placements,
         properties="output { rheology yes; } "
                    "contact { range 1; }",
         deltaT=step, endTime=end, writeInterval=end, p_tolerance=1e-9,
         U_tolerance=1e-10, **entries)
-    case.set_velocity(lambda x, y, *z: (y, 0, 0)[:n_dims])
     minutes = case.solve(20000)
     rows = results.table(case.path, "rheology.csv")
     rows = rows[3*len(rows)//4:]

@@ -8,7 +8,9 @@ the flow with which they came, and the path is the same forwards and backwards.
 The least gap is compared with the finest mesh.
 """
 
-from common import Case, Row, at, disc, sphere
+import math
+
+from common import Row, at, carried, disc, sheared, sphere
 
 VISCOSITY = 100
 
@@ -26,36 +28,25 @@ SHAPE = {2: disc, 3: sphere}
 def passing(n_dims, cells, offset):
     """Rows of the relative position (x, y, gap) of the bodies by time, and the
     minutes. cells: to a radius; offset of the centres across the flow."""
-    half = HALF[n_dims]
     shape = SHAPE[n_dims].__name__
     # Off the mesh's planes of symmetry
-    off = (0.031, 0.017, 0.023)
     bodies = " ".join(
-        "{{ centre ({!r} {!r} {!r}); velocity ({!r} 0 0); "
-        "angularVelocity (0 0 -0.5); }}".format(
-            off[0] - sign*START, off[1] + sign*offset/2,
-            off[2] if n_dims == 3 else 0, off[1] + sign*offset/2)
-        for sign in (1, -1))
+        carried(0.031 - sign*START, 0.017 + sign*offset/2,
+                0.023*(n_dims - 2)) for sign in (1, -1))
     step = STEP/(VISCOSITY*cells**2)
-    case = Case(
-        f"pair-{n_dims}D-{cells}-{offset}",
-        box=tuple(-x for x in half) + half,
-        cells=tuple(2*x*cells for x in half), viscosity=VISCOSITY,
-        cyclic="x" if n_dims == 2 else "xz",
-        walls={"top": f"({half[1]} 0 0)", "bottom": f"({-half[1]} 0 0)"},
-        shapes=SHAPE[n_dims](1, "type rigid; density 1;"),
+    case = sheared(
+        f"pair-{n_dims}D-{cells}-{offset}", HALF[n_dims], cells,
+        viscosity=VISCOSITY, shapes=SHAPE[n_dims](1, "type rigid; density 1;"),
         placements=f"a {{ type listed; shape {shape}; objects ({bodies}); }}",
         properties="output { objectsEvery 1; }", deltaT=step,
         endTime=round(5*START/offset/step)*step, writeInterval=1000)
-    case.set_velocity(lambda x, y, *z: (y, 0, 0)[:n_dims])
     minutes = case.solve(40000)
     rows = case.objects()
     path = []
     for a, b in zip(rows[::2], rows[1::2]):
-        way = [b[f"unwrapped{d}"] - a[f"unwrapped{d}"] if f"unwrapped{d}" in a
-               else 0 for d in "XYZ"]
-        path.append({"time": a["time"], "x": -way[0], "y": -way[1],
-                     "gap": sum(x*x for x in way)**0.5 - 2})
+        way = [a[f"unwrapped{d}"] - b[f"unwrapped{d}"] for d in "XYZ"[:n_dims]]
+        path.append({"time": a["time"], "x": way[0], "y": way[1],
+                     "gap": math.hypot(*way) - 2})
     return path, minutes
 
 

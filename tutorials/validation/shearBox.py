@@ -16,7 +16,7 @@ fluid without inertia.
 
 import math
 
-from common import Case, Row, at, body, disc, sphere
+from common import Row, at, body, carried, disc, sheared, sphere
 
 # Exact: Ca, Taylor's deformation, angle of the long axis over pi
 ROSCOE = ((0.05, 0.0624, 0.2381), (0.2, 0.2417, 0.2035), (0.5, 0.5243, 0.1464))
@@ -28,17 +28,11 @@ KINDS = {"rigid": "type rigid; density 1;", "stiff": "density 1; E 1e5;"}
 def shear_box(name, shape, shapes, cells, side=10, reynolds=0.1, n_dims=3,
               **parameters):
     """A box with a body of a shape in its middle, radius/h = cells."""
-    half, n = side/2, side*cells
-    case = Case(
-        name, box=(-half,)*n_dims + (half,)*n_dims, cells=(n,)*n_dims,
-        viscosity=1/reynolds, cyclic="x" if n_dims == 2 else "xz",
-        walls={"top": f"({half} 0 0)", "bottom": f"({-half} 0 0)"},
-        shapes=shapes, placements=f"all {{ type listed; shape {shape}; objects "
-        "({ centre (0 0 0); angularVelocity (0 0 -0.5); }); }",
-        properties="output { objectsEvery 1; }",
-        **parameters)
-    case.set_velocity(lambda x, y, z=0: (y, 0, 0)[:n_dims])
-    return case
+    return sheared(
+        name, (side/2,)*n_dims, cells, viscosity=1/reynolds, shapes=shapes,
+        placements=f"all {{ type listed; shape {shape}; objects "
+        f"({carried(0, 0)}); }}",
+        properties="output { objectsEvery 1; }", **parameters)
 
 
 def turning(kind, cells, n_dims=3, side=10):

@@ -20,7 +20,7 @@ between walls five diameters apart; their value is the mean of a whole run.
 import math
 
 import results
-from common import Case, Row, disc, sphere
+from common import Row, carried, disc, sheared, sphere
 
 VISCOSITY = 10
 
@@ -47,20 +47,15 @@ def eilers(phi):
 def box(name, n_dims, cells, step, placements, end, stiffness=None):
     """A case that is solved, and minutes. cells: to a radius; stiffness over
     the stress of the flow, None: the default."""
-    half = SIDE[n_dims]/2
     law = (f"law {{ type elastic; stiffness {stiffness*VISCOSITY}; }}"
            if stiffness else "")
-    case = Case(
-        f"suspension-{name}", box=(-half,)*n_dims + (half,)*n_dims,
-        cells=(SIDE[n_dims]*cells,)*n_dims, viscosity=VISCOSITY,
-        cyclic="x" if n_dims == 2 else "xz",
-        walls={"top": f"({half} 0 0)", "bottom": f"({-half} 0 0)"},
-        shapes=SHAPE[n_dims](1, "type rigid; density 1;"),
+    case = sheared(
+        f"suspension-{name}", (SIDE[n_dims]/2,)*n_dims, cells,
+        viscosity=VISCOSITY, shapes=SHAPE[n_dims](1, "type rigid; density 1;"),
         placements=placements,
         properties=f"contact {{ range 1; {law} }} "
                    "output { rheology yes; objectsEvery 1; crossing warn; }",
         deltaT=step/(VISCOSITY*cells**2), endTime=end, writeInterval=end)
-    case.set_velocity(lambda x, y, *z: (y, 0, 0)[:n_dims])
     return case, case.solve(40000)
 
 
@@ -87,9 +82,7 @@ def states(n_dims, phi, cells, strains):
                    key=lambda t, s=strain: abs(t - s))
         listed.append(
             f"a {{ type listed; shape {shape}; objects (" + " ".join(
-                "{{ centre ({0!r} {1!r} {2!r}); velocity ({1!r} 0 0); "
-                "angularVelocity (0 0 -0.5); }}".format(
-                    *(row.get(f"centroid{axis}", 0) for axis in "XYZ"))
+                carried(*(row.get(f"centroid{axis}", 0) for axis in "XYZ"))
                 for row in rows if row["time"] == time) + "); }")
     return listed, case, minutes
 

@@ -179,7 +179,6 @@ void Foam::fsi::motionCheck::check
 }
 
 
-
 void Foam::fsi::motionCheck::checkOverlaps
 (
     const vector& period,

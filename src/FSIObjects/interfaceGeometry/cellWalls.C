@@ -2,6 +2,8 @@
 
 #include "cellWalls.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -123,34 +125,26 @@ void Foam::fsi::cellWalls::addPart
 {
     const label first = sides[0];
     const label object = faces[first/2].place.object;
-    DynamicList<label> near;
-    appendFaces
-    (
-        surfaces, origins[first/2].surface, faces[first/2].place, near
-    );
-    const vector normal(areaNormal(surfaces, near));
-    near.clear();
+    vector normal(Zero);
+    near_.clear();
     cellWall wall{sideCell(faces, first), vector(Zero), surfacePlace()};
     point cuts(Zero), closed(Zero);
     scalar nCuts = 0, area = 0;
-    DynamicList<label> there;
     label nOthers = 0;
     for (const label side : sides)
     {
         const wallFace& w = faces[side/2];
         const wallOrigin& origin = origins[side/2];
-        there.clear();
-        appendFaces(surfaces, origin.surface, w.place, there);
-        if
-        (
-            w.place.object != object
-         || (areaNormal(surfaces, there) & normal) <= 0
-        )
+        there_.clear();
+        appendFaces(surfaces, origin.surface, w.place, there_);
+        const vector n(areaNormal(surfaces, there_));
+        normal = side == first ? n : normal;
+        if (w.place.object != object || (n & normal) <= 0)
         {
             sides[nOthers++] = side;
             continue;
         }
-        near.append(there);
+        near_.append(there_);
         wall.area[w.dir] += side % 2 ? -w.area : w.area;
         closed += w.area*origin.middle;
         area += w.area;
@@ -167,7 +161,7 @@ void Foam::fsi::cellWalls::addPart
     (
         surfaces,
         nCuts > 0 ? point(cuts/nCuts) : point(closed/area),
-        near,
+        near_,
         found
     );
     parts_.append(wall);
@@ -191,19 +185,13 @@ void Foam::fsi::cellWalls::update
         for (label side = first; side >= 0; side = nextSide_[side])
         {
             sides.append(side);
-            for (label i = sides.size() - 1; i > 0; --i)
-            {
-                if
-                (
-                    sidePlace(faces, sides[i - 1])
-                 <= sidePlace(faces, sides[i])
-                )
-                {
-                    break;
-                }
-                std::swap(sides[i - 1], sides[i]);
-            }
         }
+        std::sort(sides.begin(), sides.end(), [&](label a, label b)
+        {
+            const direction placeA = sidePlace(faces, a);
+            const direction placeB = sidePlace(faces, b);
+            return placeA != placeB ? placeA < placeB : a < b;
+        });
         while (sides.size())
         {
             addPart(surfaces, faces, origins, sides);

@@ -74,7 +74,8 @@ void Foam::fsi::pressurePasses::measure
     ++done_;
     const scalar nodes =
         overRanks(largestSpeed(velocity), maxOp<scalar>());
-    if (done_ > 1)
+    const bool decide = enough_ < most_;
+    if (decide && done_ >= enough_)
     {
         forAll(velocity, groupi)
         {
@@ -84,7 +85,10 @@ void Foam::fsi::pressurePasses::measure
             overRanks(largestSpeed(velocity_), maxOp<scalar>())
            /max(nodes, VSMALL);
     }
-    velocity_ = velocity;
+    if (decide && done_ + 1 >= enough_)
+    {
+        velocity_ = velocity;
+    }
     state_ =
         state_ == state::refused ? state::closed
       : worse(nodes, fluid) ? state::refused
