@@ -81,7 +81,7 @@ class RedCells(fsiCase.Case):
                    "shearModulus 5e-6; } }\n",
             placements="cells { type packed; shape cell; number "
                        f"{self.objects}; seed 1; start small; }}\n",
-            p_tolerance=1e-3, U_tolerance=1e-3,
+            p_tolerance=1e-3, U_tolerance=5e-3,
             deltaT=step, endTime=step*(steps + 0.5), timePrecision=10,
             writeFormat="binary",
         )

@@ -155,11 +155,7 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
     }
     predictObjects
     (
-        bodies,
-        p_.time().value() - step().dt,
-        step(),
-        load,
-        predicted_
+        bodies, p_.time().value() - step().dt, step(), load, predicted_
     );
     addResponse(bodies, rest, predicted_);
     velocity_.change() = predicted_;
@@ -168,20 +164,20 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
 
 bool Foam::fsi::immersedStep::countsLayer() const
 {
-    return !rule_.secondOrder();
+    return !rule_.secondOrder() && !objects_.bodies().onlyMembranes();
 }
 
 
 void Foam::fsi::immersedStep::settle()
 {
+    if (objects_.bodies().onlyMembranes())
+    {
+        return;
+    }
     partialForces loss(gradientForce_.size());
     momentum_.cut().addLoss
     (
-        objects_.levelSet(),
-        objects_.surfaces(),
-        U_,
-        velocity_.surface(),
-        loss
+        objects_.levelSet(), objects_.surfaces(), U_, velocity_.surface(), loss
     );
     vectorField& force = loss.collectWalls(objects_.bodies().ranks());
     force *= objects_.fluid().density;

@@ -93,6 +93,18 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
     const vectorField& gradient = tgradient().primitiveField();
     const vectorField& last = gradient_().primitiveField();
     const boolList& inFluid = geometry_.fluidCell();
+    if (passes_.single() && objects_.bodies().onlyMembranes())
+    {
+        vectorField& u = U_.primitiveFieldRef();
+        forAll(u, celli)
+        {
+            u[celli] += step().tau*(last[celli] - gradient[celli]);
+        }
+        U_.correctBoundaryConditions();
+        passes_.end();
+        sources.correct(U_);
+        return;
+    }
     const scalar V = objects_.grid().cellVolume();
     vectorField source(U_.size());
     forAll(source, celli)
@@ -108,19 +120,9 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
         const scalar nu = objects_.fluid().viscosity;
         guess = alone*source/(1 + step().tau*gradients_.wallFriction(nu));
     }
-    FixedList<scalar, 2> squares(scalar(0));
-    if (passes_.single() && objects_.bodies().onlyMembranes())
-    {
-        U_.primitiveFieldRef() += alone*source;
-        U_.correctBoundaryConditions();
-    }
-    else
-    {
-        squares = viscous_.addResponse(source, guess, alone, U_);
-    }
     passes_.measure
     (
-        squares,
+        viscous_.addResponse(source, guess, alone, U_),
         U_.mesh().globalData().nTotalCells()*sqr(objects_.restSpeed()),
         velocity_.groups(),
         largestSpeed(U_, inFluid)

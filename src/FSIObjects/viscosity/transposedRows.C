@@ -17,8 +17,7 @@ constexpr label rowLength = 128;
 struct rowSource
 {
     const scalar* u[3];
-    const scalar* more;
-    const floatScalar* fluid;
+    const floatScalar* more;
     label stride[3];
 };
 
@@ -32,8 +31,11 @@ FSI_INLINE void sumRow
     scalar (*__restrict__ sum)[rowLength]
 )
 {
-    const scalar* __restrict__ m = from.more + first;
-    const floatScalar* __restrict__ f = from.fluid + first;
+    const floatScalar* __restrict__ m = from.more + first;
+    const auto atFace = [](const floatScalar a, const floatScalar b)
+    {
+        return a < 0 || b < 0 ? 0 : scalar(a) + b;
+    };
     for (int d = 0; d < nDims; ++d)
     {
         const label s = from.stride[d];
@@ -48,10 +50,9 @@ FSI_INLINE void sumRow
                 const scalar here = u[x + t] - u[x - t];
                 const scalar up = u[x + s + t] - u[x + s - t];
                 const scalar down = u[x - s + t] - u[x - s - t];
-                const scalar ofUp = f[x + s]*(m[x] + m[x + s]);
-                const scalar ofDown = f[x - s]*(m[x] + m[x - s]);
                 result[x] +=
-                    f[x]*(ofUp*(here + up) - ofDown*(here + down));
+                    atFace(m[x], m[x + s])*(here + up)
+                  - atFace(m[x], m[x - s])*(here + down);
             }
         }
     }
@@ -120,8 +121,7 @@ Foam::fsi::transposedRows::transposedRows
 :
     grid_(grid),
     margin_(grid.haloStride(grid.nDims() - 1)),
-    more_(grid.cells(1).size() + 2*margin_, Zero),
-    fluid_(more_.size(), Zero)
+    more_(grid.cells(1).size() + 2*margin_, floatScalar(-1))
 {
     for (direction d = 0; d < grid.nDims(); ++d)
     {
@@ -134,8 +134,7 @@ Foam::fsi::transposedRows::transposedRows
         {
             u_[d][at] = U[celli][d];
         }
-        more_[at] = more[celli] - least;
-        fluid_[at] = fluid[celli];
+        more_[at] = fluid[celli] ? more[celli] - least : -1;
     }
     setHalo(U);
 }
@@ -170,7 +169,6 @@ void Foam::fsi::transposedRows::add(vectorField& source) const
         from.stride[d] = grid_.haloStride(d);
     }
     from.more = more_.cdata();
-    from.fluid = fluid_.cdata();
 
     // Two means of two cells, and differences over two cells
     const scalar factor = grid_.faceArea()/(8*grid_.spacing());

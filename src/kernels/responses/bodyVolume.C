@@ -11,28 +11,37 @@ namespace
 using namespace Foam;
 using Foam::fsi::bodyVolume;
 
-//- Difference of two nodes
-vector between(const bodyVolume::nodes& x, const label from, const label to)
+//- Nodes less the first one
+class fromFirst
 {
-    vector d(Zero);
-    for (label i = 0; i < x.cols(); ++i)
-    {
-        d[i] = x(to, i) - x(from, i);
-    }
-    return d;
-}
+    //- Components; a plane has the third one of the first
+    const scalar* x_[3];
 
+    const scalar third_;
 
-//- All nodes less the first one
-vectorField fromFirst(const bodyVolume::nodes& x)
-{
-    vectorField result(x.rows(), Zero);
-    forAll(result, i)
+    const vector first_;
+
+    vector place(const label i) const
     {
-        result[i] = between(x, 0, i);
+        return vector(x_[0][i], x_[1][i], third_*x_[2][i]);
     }
-    return result;
-}
+
+public:
+
+    explicit fromFirst(const bodyVolume::nodes& x)
+    :
+        x_
+        {
+            x.data(),
+            x.data() + x.outerStride(),
+            x.data() + (x.cols() == 3 ? 2*x.outerStride() : 0)
+        },
+        third_(x.cols() == 3 ? 1 : 0),
+        first_(place(0))
+    {}
+
+    vector operator[](const label i) const { return place(i) - first_; }
+};
 
 
 //- Add a segment's part of the area's polynomial
@@ -82,7 +91,7 @@ Foam::fsi::bodyVolume::bodyVolume
     coefficients_(scalar(0))
 {
     const label nDims = p.cols();
-    const vectorField nodes(fromFirst(p)), along(fromFirst(q));
+    const fromFirst nodes(p), along(q);
     vector points[3], directions[3];
     for (const surfaceFace& face : faces)
     {
@@ -138,16 +147,16 @@ Foam::scalar Foam::fsi::bodyVolume::of
     const nodes& points
 )
 {
-    const label nDims = points.cols();
+    const fromFirst x(points);
+    const bool plane = points.cols() == 2;
     scalar volume = 0;
     for (const surfaceFace& face : faces)
     {
-        const vector a(between(points, 0, face[0]));
-        const vector b(between(points, 0, face[1]));
+        const vector a(x[face[0]]), b(x[face[1]]);
         volume +=
-            nDims == 2
+            plane
           ? 0.5*(a.x()*b.y() - a.y()*b.x())
-          : (a & (b ^ between(points, 0, face[2])))/6;
+          : (a & (b ^ x[face[2]]))/6;
     }
     return volume;
 }
@@ -162,15 +171,16 @@ void Foam::fsi::bodyVolume::addGradient
 )
 {
     const label nDims = points.cols();
+    const fromFirst x(points);
     for (const surfaceFace& face : faces)
     {
         // Each node has the same share of the area vector
-        const vector d(between(points, face[0], face[1]));
+        const vector a(x[face[0]]), d(x[face[1]] - a);
         const vector share
         (
             nDims == 2
           ? (0.5*thickness)*vector(d.y(), -d.x(), 0)
-          : (d^between(points, face[0], face[2]))/6
+          : (d^(x[face[2]] - a))/6
         );
         for (label i = 0; i < nDims; ++i)
         {
