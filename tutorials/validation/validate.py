@@ -18,6 +18,7 @@ import budget
 import cavity
 import common
 import cylinder
+import denseCells
 import dilute
 import discs
 import fixedWalls
@@ -45,7 +46,7 @@ MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, pairInShear, resistances,
            suspension, flap, vessel, dilute, scalars, redCell, movingFrame,
-           flagInStream, airfoil, tether)
+           flagInStream, airfoil, tether, denseCells)
 
 
 def collected(name):
