@@ -60,7 +60,7 @@ static void addSkalakForces
 {
     addTriangleForces<laneArray<membraneLaw::nLanes>>
     (
-        SkalakEnergy{ratio}, triangles, x, force, energy
+        ofInvariants<SkalakEnergy>{{ratio}}, triangles, x, force, energy
     );
 }
 

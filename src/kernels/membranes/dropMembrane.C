@@ -56,7 +56,7 @@ static void addDropForces
 {
     addTriangleForces<laneArray<membraneLaw::nLanes>>
     (
-        dropEnergy(), triangles, x, force, energy
+        ofInvariants<dropEnergy>(), triangles, x, force, energy
     );
 }
 

@@ -138,6 +138,15 @@ Foam::scalar Foam::fsi::membraneForces::energy
         }
         for (label lane = 0; lane < min(nLanes, nCopies - first); ++lane)
         {
+            // See wormLikeMembrane
+            if (force && energies[lane] > 1e50)
+            {
+                FatalErrorInFunction
+                    << "An edge of a membrane has reached the largest length"
+                    << " that its law " << material_.law->type() << " allows:"
+                    << " take smaller forces, a smaller time step or another"
+                    << " law" << exit(FatalError);
+            }
             sum += energies[lane];
         }
         if (force)

@@ -42,15 +42,19 @@ Foam::scalarField Foam::fsi::membraneLaw::tensions
     const UList<scalar>& others
 ) const
 {
-    // A triangle with two sides of length 1 along x and y at rest. The force
-    // on a corner is the tension across the side's middle, half as wide
-    const pointField corners({Zero, vector(1, 0, 0), vector(0, 1, 0)});
+    // A triangle with equal sides at rest, one of them across the larger
+    // stretch. Its tension is the sum of place times force over its area
+    const scalar height = std::sqrt(0.75);
+    const pointField corners
+    ({
+        Zero, vector(0, 1, 0), vector(height, 0.5, 0)
+    });
     surfaceFace f;
     f[0] = 0;
     f[1] = 1;
     f[2] = 2;
     const List<membraneTriangle> triangle(1, membraneTriangle(f, corners));
-    const label atX = 3*nLanes, atY = 7*nLanes;
+    const label atY = 4*nLanes, topX = 6*nLanes, topY = 7*nLanes;
 
     scalarField result(stretches.size());
     for (label first = 0; first < result.size(); first += nLanes)
@@ -63,8 +67,9 @@ Foam::scalarField Foam::fsi::membraneLaw::tensions
         for (label lane = 0; lane < nLanes; ++lane)
         {
             const label i = first + min(lane, n - 1);
-            x[atX + lane] = stretches[i];
             x[atY + lane] = others[i];
+            x[topX + lane] = height*stretches[i];
+            x[topY + lane] = 0.5*others[i];
         }
         addForces(triangle, x.data(), force.data(), energy);
         for (label lane = 0; lane < n; ++lane)
@@ -72,7 +77,9 @@ Foam::scalarField Foam::fsi::membraneLaw::tensions
             const label i = first + lane;
             result[i] = -2*min
             (
-                force[atX + lane]/others[i], force[atY + lane]/stretches[i]
+                force[topX + lane]/others[i],
+                (force[atY + lane] + 0.5*force[topY + lane])
+               /(height*stretches[i])
             );
         }
     }

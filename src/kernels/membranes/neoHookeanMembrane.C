@@ -57,7 +57,7 @@ static void addNeoHookeanForces
 {
     addTriangleForces<laneArray<membraneLaw::nLanes>>
     (
-        neoHookeanEnergy(), triangles, x, force, energy
+        ofInvariants<neoHookeanEnergy>(), triangles, x, force, energy
     );
 }
 

@@ -171,6 +171,76 @@ TEST(membraneLaws, largerTension)
 }
 
 
+TEST(membraneLaws, wormLikeChainsShowTheirModuli)
+{
+    // Small strains of a mesh of equal triangles: T = K (e1 + e2) + G (e1 - e2)
+    const scalar e = 1e-5;
+    const sheetMaterial sheet
+    (
+        dictionaryOf(material("law wormLikeChain; areaModulus 25e-6;"))
+    );
+    const scalarField found
+    (
+        sheet.law->tensions
+        (
+            scalarList({1 + e, 1 + e, 1, 1}),
+            scalarList({1 - e, 1 + e, 1, 1 + e})
+        )
+    );
+    EXPECT_NEAR(found[0], 2*e, 1e-3*e);
+    EXPECT_NEAR(found[1], 10*e, 1e-3*e);
+    EXPECT_NEAR(found[2], 0, 1e-12);
+    EXPECT_NEAR(found[3], 6*e, 1e-3*e);
+    EXPECT_NEAR(sheet.law->areaModulus(), 5, 1e-12);
+
+    // Edges near the largest length, and beyond it
+    const scalarField large
+    (
+        sheet.law->tensions(scalarList({2, 2.45}), scalarList({1, 1}))
+    );
+    EXPECT_GT(large[1], 20*large[0]);
+    const shapeMesh mesh(square(1));
+    Eigen::MatrixXd x(5, 3);
+    for (label i = 0; i < 5; ++i)
+    {
+        x.row(i) << 2.3*mesh.points[i].x(), mesh.points[i].y(), 0;
+    }
+    Eigen::MatrixXd force;
+    EXPECT_THROW
+    (
+        membraneForces(sheet, mesh, 1).energy(x, &force), Foam::error
+    );
+}
+
+
+TEST(membraneLaws, forcesOfWormLikeChainsAreTheGradientOfTheEnergy)
+{
+    const scalar size = 1e-6, h = 1e-6*size;
+    const sheetMaterial sheet
+    (
+        dictionaryOf(material("law wormLikeChain; areaModulus 25e-6;"))
+    );
+    const shapeMesh mesh(square(size));
+    const membraneForces forces(sheet, mesh, size);
+    Eigen::MatrixXd x(5, 3), force;
+    for (label i = 0; i < 5; ++i)
+    {
+        const point& p = mesh.points[i];
+        x.row(i) << 1.3*p.x() + 0.1*p.y(), 0.9*p.y(), 0.2*p.x();
+    }
+    forces.energy(x, &force);
+    for (label i = 0; i < x.size(); ++i)
+    {
+        Eigen::MatrixXd y(x);
+        y(i) += h;
+        const scalar after = forces.energy(y);
+        y(i) -= 2*h;
+        const scalar slope = (after - forces.energy(y))/(2*h);
+        EXPECT_NEAR(force(i), -slope, 1e-6*Gs*size) << i;
+    }
+}
+
+
 TEST(membraneLaws, badEntriesAreErrors)
 {
     for
@@ -178,7 +248,8 @@ TEST(membraneLaws, badEntriesAreErrors)
         const char* entries :
         {
             "law rubber;", "law neoHookean; areaModulus 1;",
-            "areaModulus 1e-6;", "law drop;",
+            "areaModulus 1e-6;", "law wormLikeChain; areaModulus 9e-6;",
+            "law drop;",
             "stretchingModulus 1;", "restCurvature 3;",
             "bendingModulus -1;", "innerViscosity 0;"
         }
