@@ -29,6 +29,13 @@ SIDE = {2: 12, 3: 10}
 
 SHAPE = {2: disc, 3: sphere}
 
+# Of a lattice with gaps of 0.1, spheres at 40 % would stay a crystal
+START = {
+    2: "areaFraction {}; minimumGap 0.1; wallGap 0.1; }}",
+    3: "volumeFraction {}; minimumGap 0.05; wallGap 0.05; acrossCyclic yes; "
+       "start small; sweeps 100000; }}",
+}
+
 # dt nu/h^2
 STEPS = (4, 1, 0.25)
 
@@ -66,15 +73,14 @@ def mean(case, start, end):
     return sum(values)/len(values)
 
 
-def states(n_dims, phi, cells, strains):
+def states(n_dims, phi, cells, strains, step=1):
     """Placements of the bodies at strains of a run from a random state, the
     case, and minutes."""
     shape = SHAPE[n_dims].__name__
     case, minutes = box(
-        f"{n_dims}D-{phi}-{cells}", n_dims, cells, 1,
+        f"{n_dims}D-{phi}-{cells}-{step}", n_dims, cells, step,
         f"a {{ type packed; shape {shape}; "
-        f"{'area' if n_dims == 2 else 'volume'}Fraction {phi}; "
-        "minimumGap 0.1; wallGap 0.1; }", strains[-1])
+        + START[n_dims].format(phi), strains[-1])
     rows = case.objects()
     listed = []
     for strain in strains:
@@ -141,4 +147,18 @@ def spheres(fractions=(0.1, 0.2, 0.3, 0.4), cells=4, end=5):
         yield from rows
 
 
-LONG = {"discSuspension": discs, "suspension": spheres}
+def two_meshes(fractions=(0.3, 0.4), strain=3, step=4):
+    """The same state gone on with on two meshes."""
+    for phi in fractions:
+        listed, _, _ = states(3, phi, 4, (strain,), step)
+        coarse, fine = (gone_on(3, phi, cells, step, listed)
+                        for cells in (4, 6))
+        yield Row(f"spheres at {phi:.0%}, viscosity, step {step} (Eilers)",
+                  "D/h = 12", eilers(phi), fine[0], 0.1*eilers(phi), fine[1])
+        yield Row(f"spheres at {phi:.0%}, viscosity, step {step}, over that "
+                  "with D/h = 12", "D/h = 8", 1, coarse[0]/fine[0], 0.1,
+                  coarse[1])
+
+
+LONG = {"discSuspension": discs, "suspension": spheres,
+        "twoSphereMeshes": two_meshes}

@@ -41,12 +41,13 @@ import tether
 import timeOrder
 import timeStep
 import vessel
+import wetRebound
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, pairInShear, resistances,
            suspension, flap, vessel, dilute, scalars, redCell, movingFrame,
-           flagInStream, airfoil, tether, denseCells)
+           flagInStream, airfoil, tether, denseCells, wetRebound)
 
 
 def collected(name):
