@@ -15,6 +15,7 @@ import time
 
 import airfoil
 import budget
+import capsuleInTube
 import cavity
 import common
 import cylinder
