@@ -48,7 +48,8 @@ MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            timeOrder, timeStep, fixedWalls, shearBox, settlingSphere,
            rigidStiff, oscillatingSphere, pairInShear, resistances,
            suspension, flap, vessel, dilute, scalars, redCell, movingFrame,
-           flagInStream, airfoil, tether, denseCells, wetRebound)
+           flagInStream, airfoil, tether, denseCells, wetRebound,
+           capsuleInTube)
 
 
 def collected(name):
