@@ -2,6 +2,7 @@
 
 #include "immersedMembranes.H"
 #include "bodyVolume.H"
+#include "membraneStep.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -22,30 +23,6 @@ void Foam::fsi::immersedMembranes::addWeight
         Eigen::MatrixXd area(Eigen::MatrixXd::Zero(x.rows(), 3));
         bodyVolume::addGradient(group.shape().faces(), 1, x, area);
         force.middleCols(3*i, 3) += (x*along).asDiagonal()*area;
-    }
-}
-
-
-void Foam::fsi::immersedMembranes::checkStep
-(
-    const bodyGroup& group,
-    const scalar deltaT
-) const
-{
-    const shapeTemplate& shape = group.shape();
-    const scalar h = geometry_.grid().spacing();
-    const scalar ratio =
-        deltaT*shape.sheet()->stiffness(shape.nodeSpacing())
-       /(fluid_.dynamicViscosity()*h);
-    if (ratio > stepLimit)
-    {
-        FatalErrorInFunction
-            << "The time step " << deltaT << " s is too long for the membranes"
-            << " of shape " << shape.name() << ": dt a/(mu h) is " << ratio
-            << " but must be " << stepLimit << " at most, with the largest"
-            << " modulus a of their material" << nl
-            << "Take a step of " << deltaT*stepLimit/ratio
-            << " s or less, or a smaller areaModulus" << exit(FatalError);
     }
 }
 
@@ -95,7 +72,7 @@ void Foam::fsi::immersedMembranes::setForces
         const bodyGroup& group = bodies_.groups()[groupi];
         if (!group.hasWalls())
         {
-            checkStep(group, deltaT);
+            checkMembraneStep(objects_, group, deltaT);
             group.internalForce(force[groupi]);
             addWeight(group, force[groupi]);
             force[groupi] += given[groupi];

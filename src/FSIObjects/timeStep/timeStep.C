@@ -5,6 +5,7 @@
 #include "surfaceFields.H"
 #include "openfoamVersion.H"
 #include "fsiStep.H"
+#include "membraneStep.H"
 #include "dictionaryCheck.H"
 #include "sumOverRanks.H"
 
@@ -165,6 +166,8 @@ Foam::scalar Foam::fsi::timeStep::limit
     {
         limit = min(limit, maxDiffusion_/diffusionRate(current.objects()));
     }
+    // OpenFOAM stretches steps by up to half
+    limit = min(limit, longestMembraneStep(current.objects())/1.5);
     const scalar error = current.error().value();
     if (maxTimeError_ > 0 && error > 0)
     {

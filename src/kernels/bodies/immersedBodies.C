@@ -156,4 +156,13 @@ Foam::scalar Foam::fsi::immersedBodies::elasticEnergy() const
 }
 
 
+Foam::scalar Foam::fsi::immersedBodies::stiffness() const
+{
+    return shape().sheet()->stiffness
+    (
+        shape().nodeSpacing(), forces_.largestRatio(positions())
+    );
+}
+
+
 // ************************************************************************* //

@@ -158,4 +158,34 @@ Foam::scalar Foam::fsi::membraneForces::energy
 }
 
 
+Foam::scalar Foam::fsi::membraneForces::largestRatio
+(
+    const Eigen::MatrixXd& positions
+) const
+{
+    // The unit of length drops out
+    scalar most = 1;
+    for (label column = 0; column < positions.cols(); column += 3)
+    {
+        const scalar* x = positions.col(column).data();
+        const auto place = [&](const label nodei)
+        {
+            const scalar* at = x + nodei;
+            return point(at[0], at[nNodes_], at[2*nNodes_]);
+        };
+        for (const membraneTriangle& t : triangles_)
+        {
+            scalar half, ofArea;
+            t.squares
+            (
+                place(t.nodes[0]), place(t.nodes[1]), place(t.nodes[2]),
+                half, ofArea
+            );
+            most = max(most, sqr(half)/max(ofArea, VSMALL));
+        }
+    }
+    return sqrt(most) + sqrt(most - 1);
+}
+
+
 // ************************************************************************* //

@@ -36,13 +36,15 @@ Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::sheetMaterial::stiffness(const scalar spacing) const
+Foam::scalar Foam::fsi::sheetMaterial::stiffness
+(
+    const scalar spacing,
+    const scalar ratio
+) const
 {
-    const scalar ofArea = 0.5*(law->areaModulus() - 1);
     return
-        shearModulus*max(scalar(1), ofArea)
-      + viscousModulus
-      + bendingModulus/sqr(spacing);
+        shearModulus*(2 + pow(ratio, 0.75)*(law->areaModulus() - 1))
+      + 2*(viscousModulus + bendingModulus/sqr(spacing));
 }
 
 

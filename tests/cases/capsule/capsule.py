@@ -36,6 +36,10 @@ EXCESS = 1.08
 # A membrane whose viscosity is that of the fluid times the radius
 VISCOUS = f"membraneViscosity {VISCOSITY}; viscousModulus {20*VISCOSITY};"
 
+# With two cells to the radius dt a/(mu h) is 33.5 at rest, where 34 is allowed
+STIFF = {"law": "Skalak", "material": f"areaModulus {200*VISCOSITY/0.3};",
+         "deltaT": 0.025, "endTime": 1}
+
 
 def shear(case, n):
     """Starts a case with the flow of its walls."""
@@ -148,17 +152,17 @@ def check_thin(report, folder):
 
 
 def check_ranks(report, folder):
-    """Two ranks, cut across a cyclic direction or along the walls, with
-    another viscosity inside and in the membrane."""
+    """Two ranks, cut across a cyclic direction or along the walls, and three,
+    with another viscosity inside and in the membrane."""
     short = {"cells": 4, "endTime": 5*STEP, "writeInterval": 5,
              "writePrecision": 17, "p_tolerance": 1e-12, "U_tolerance": 1e-12,
              "material": f"innerViscosity {3*VISCOSITY}; {VISCOUS}"}
     serial = capsule(folder, "serial", **short)
     serial.run("fsiPisoFoam")
-    for parts in ((2, 1, 1), (1, 2, 1)):
+    for parts in ((2, 1, 1), (1, 2, 1), (3, 1, 1)):
         case = capsule(folder, "ranks", **short)
         case.decompose(*parts)
-        case.run("fsiPisoFoam", ranks=2)
+        case.run("fsiPisoFoam", ranks=max(parts))
         case.run("reconstructPar", "-latestTime")
         error = results.difference(serial.path, case.path)
         tables = [results.table(c.path, "objects.csv")[-1]
@@ -249,6 +253,7 @@ def check_refused(report, folder):
              "is a membrane inside the fluid"),
             ("kernel", {"properties": "membranes { kernel 5; }"}, "kernel"),
             ("step", {"deltaT": 4, "endTime": 8}, "too long for the membranes"),
+            ("stretch", STIFF, "as they are stretched"),
             ("order", {"time_scheme": "backward"}, "take Euler")):
         case = capsule(folder, name, cells=2, **more)
         try:
@@ -257,6 +262,15 @@ def check_refused(report, folder):
         except RuntimeError as error:
             text = str(error)
         report.check(f"refused: {name}", words in text, text)
+
+
+def check_adjusted(report, folder):
+    """Steps that adjust themselves get shorter as a membrane is stretched."""
+    case = capsule(folder, "adjusted", cells=2, adjustTimeStep="yes", **STIFF)
+    case.run("fsiPisoFoam")
+    first, *_, last = results.table(case.path, "global.csv")
+    report.check("steps follow the stretch", last["time"] > 0.98
+                 and last["deltaT"] < 0.9*first["deltaT"], str(last))
 
 
 def main(folder):
@@ -270,6 +284,7 @@ def main(folder):
     report.attempt("adhesion", adhesion.check, report, folder)
     report.attempt("restart", check_restart, report, folder)
     report.attempt("refused", check_refused, report, folder)
+    report.attempt("adjusted", check_adjusted, report, folder)
 
 
 if __name__ == "__main__":

@@ -84,7 +84,7 @@ TEST(membraneForces, forceIsMinusTheSlopeOfTheEnergy)
 {
     // Nine copies: a full set of lanes and one lane of the next
     const scalar spacing = 0.5e-6;
-    for (const char* law : {"", "law neoHookean;"})
+    for (const char* law : {"", "law neoHookean;", "law wormLikeChain;"})
     {
         const auto shape = sheetOf
         (
@@ -148,6 +148,20 @@ TEST(membraneForces, bendingEnergyOfASphere)
     const auto group = groupOf(*shape);
     group->append(Zero, tensor::I, Zero, Zero, 0);
     EXPECT_NEAR(group->elasticEnergy()/(8*pi*2e-19), 1/3.0, 0.1);
+}
+
+
+TEST(membraneForces, ratioOfTheStretches)
+{
+    const auto shape = sheetOf("type sphere; radius 2e-6;", "", 0.5e-6);
+    const scalar atRest = shape->sheet()->stiffness(shape->nodeSpacing(), 1);
+    const auto group = movedCopies(*shape, 1, 0);
+    const auto& body = dynamic_cast<const immersedBodies&>(*group);
+    EXPECT_NEAR(body.stiffness()/atRest, 1, 1e-6);
+    group->positions().col(0) *= 2;
+    group->positions().rightCols(2) *= std::sqrt(0.5);
+    // K = 3 G_s counts by the power 0.75 of the ratio
+    EXPECT_NEAR(body.stiffness()/atRest, 0.5 + 0.5*std::pow(8, 0.375), 0.02);
 }
 
 
