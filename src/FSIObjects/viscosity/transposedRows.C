@@ -18,6 +18,7 @@ struct rowSource
 {
     const scalar* u[3];
     const floatScalar* more;
+    const floatScalar* fluid;
     label stride[3];
 };
 
@@ -32,10 +33,7 @@ FSI_INLINE void sumRow
 )
 {
     const floatScalar* __restrict__ m = from.more + first;
-    const auto atFace = [](const floatScalar a, const floatScalar b)
-    {
-        return a < 0 || b < 0 ? 0 : scalar(a) + b;
-    };
+    const floatScalar* __restrict__ f = from.fluid + first;
     for (int d = 0; d < nDims; ++d)
     {
         const label s = from.stride[d];
@@ -50,9 +48,11 @@ FSI_INLINE void sumRow
                 const scalar here = u[x + t] - u[x - t];
                 const scalar up = u[x + s + t] - u[x + s - t];
                 const scalar down = u[x - s + t] - u[x - s - t];
+                const scalar middle = m[x];
+                const scalar ofUp = f[x + s]*(middle + m[x + s]);
+                const scalar ofDown = f[x - s]*(middle + m[x - s]);
                 result[x] +=
-                    atFace(m[x], m[x + s])*(here + up)
-                  - atFace(m[x], m[x - s])*(here + down);
+                    f[x]*(ofUp*(here + up) - ofDown*(here + down));
             }
         }
     }
@@ -121,7 +121,8 @@ Foam::fsi::transposedRows::transposedRows
 :
     grid_(grid),
     margin_(grid.haloStride(grid.nDims() - 1)),
-    more_(grid.cells(1).size() + 2*margin_, floatScalar(-1))
+    more_(grid.cells(1).size() + 2*margin_, Zero),
+    fluid_(more_.size(), Zero)
 {
     for (direction d = 0; d < grid.nDims(); ++d)
     {
@@ -134,7 +135,8 @@ Foam::fsi::transposedRows::transposedRows
         {
             u_[d][at] = U[celli][d];
         }
-        more_[at] = fluid[celli] ? more[celli] - least : -1;
+        more_[at] = more[celli] - least;
+        fluid_[at] = fluid[celli];
     }
     setHalo(U);
 }
@@ -169,6 +171,7 @@ void Foam::fsi::transposedRows::add(vectorField& source) const
         from.stride[d] = grid_.haloStride(d);
     }
     from.more = more_.cdata();
+    from.fluid = fluid_.cdata();
 
     // Two means of two cells, and differences over two cells
     const scalar factor = grid_.faceArea()/(8*grid_.spacing());
