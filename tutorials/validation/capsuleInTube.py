@@ -20,7 +20,6 @@ of the difference of the cells, and a velocity by this times the slope of the
 formula, which is 1.15 at s = 0.6 and 0.8 for the velocity over the mean one."""
 
 import math
-import re
 
 import results
 from common import Case, Row
@@ -89,12 +88,9 @@ def measured(case, end):
 def soundness(case, what, grid):
     """Rows of the volume and of nodes in the wall."""
     yield Row(f"{what}: largest change of its volume", grid, 0,
-              max(row["areaChange"] for row in
-                  results.table(case.path, "global.csv")), 1e-6, 0)
+              case.volume_change(), 1e-6, 0)
     yield Row(f"{what}: most nodes inside the wall", grid, 0,
-              max(int(n) for n in re.findall(
-                  r"inside other objects: (\d+) of",
-                  results.read(case.path, "log.fsiPisoFoam"))), 0, 0)
+              max(case.logged(r"inside other objects: (\d+) of")), 0, 0)
 
 
 def stiff():

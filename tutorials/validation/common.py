@@ -4,6 +4,7 @@
 import itertools
 import math
 import os
+import re
 
 import fsiCase
 import results
@@ -105,6 +106,16 @@ class Case(fsiCase.Case):
     def objects(self):
         """Rows of objects.csv."""
         return results.table(self.path, "objects.csv")
+
+    def logged(self, pattern):
+        """Whole numbers that a pattern finds in the log of the solver."""
+        return [int(n) for n in re.findall(
+            pattern, results.read(self.path, "log.fsiPisoFoam"))]
+
+    def volume_change(self):
+        """Largest change of the volume of a body, relative."""
+        return max(row["areaChange"]
+                   for row in results.table(self.path, "global.csv"))
 
     def spacing(self):
         """Length of a cell."""

@@ -16,18 +16,12 @@ have half of it, and steps get shorter where cells are stretched: with 5 us one
 at 4.6 Pa lost its stability at 8.6 ms, with a stretch of 3.2."""
 
 import math
-import os
-import re
 
 import results
 from common import Case, Row
+from redCell import DENSITY, MICRO, PLASMA, PRESET
 
-MICRO = 1e-6
 BOX = (24, 32, 20)
-DENSITY = 1025
-VISCOSITY = 1.23e-3
-PRESET = os.path.abspath(os.path.join(
-    os.path.dirname(__file__), "../../etc/caseDicts/redCell"))
 
 # Cells per micrometre
 MESHES = (2, 3, 4)
@@ -50,7 +44,7 @@ def channel(name, stress, end, placements, cells=2, kernel=2, step=1,
     case = Case(
         f"denseCells-{name}", box=(0, 0, 0, *(x*MICRO for x in BOX)),
         cells=tuple(x*cells for x in BOX), cyclic="xz",
-        viscosity=VISCOSITY/DENSITY, density=DENSITY,
+        viscosity=PLASMA/DENSITY, density=DENSITY,
         properties=f"membranes {{ kernel {kernel}; }} output {{ objectsEvery "
                    f"{every}; crossing warn; }} contact {{ law {{ type none; "
                    "} } drivingForce { type acceleration; acceleration "
@@ -87,21 +81,17 @@ def viscosity(case, stress, start, end=None):
               results.table(case.path, "global.csv")
               if (start < row["time"]*1e3 <= end if end else
                   abs(row["time"]*1e3 - start) < 0.02)]
-    return stress*BOX[1]/2*MICRO*len(values)/(3*VISCOSITY*sum(values))
+    return stress*BOX[1]/2*MICRO*len(values)/(3*PLASMA*sum(values))
 
 
 def soundness(case, what, minutes, rest):
     """Rows of a run: nodes inside other cells, stretch, volume, and area by
     the area at rest."""
     grid = "h = 0.5 um"
-    log = results.read(case.path, "log.fsiPisoFoam")
-    inside = [int(n) for n in re.findall(r"inside other objects: (\d+) of",
-                                         log)]
-    cut = [int(n) for n in re.findall(r"cut\s+themselves: (\d+)", log)]
+    inside = case.logged(r"inside other objects: (\d+) of")
+    cut = case.logged(r"cut\s+themselves: (\d+)")
     rows = case.objects()
     area = [abs(row["surface"]/rest - 1) for row in rows]
-    volume = [row["areaChange"] for row in
-              results.table(case.path, "global.csv")]
     yield Row(f"{what}: most nodes inside other cells at {len(inside)} times",
               grid, 0, max(inside), 0, minutes)
     yield Row(f"{what}: most cells that cut themselves", grid, 0,
@@ -111,7 +101,7 @@ def soundness(case, what, minutes, rest):
     yield Row(f"{what}: largest change of the area of a cell", grid, 0,
               max(area), 0.03, minutes)
     yield Row(f"{what}: largest change of the volume of a cell", grid, 0,
-              max(volume), 1e-6, minutes)
+              case.volume_change(), 1e-6, minutes)
 
 
 def long_runs():

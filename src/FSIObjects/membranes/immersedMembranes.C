@@ -5,25 +5,6 @@
 #include "readBetween.H"
 #include "SubField.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Points of the kernel
-static label readKernel(const dictionary& dict)
-{
-    checkKeys(dict, {"kernel", "contact"});
-    checkSubDicts(dict, {"contact"});
-    return readBetween(dict, "kernel", 3, 2, 4);
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::immersedMembranes::findPassing()
@@ -87,7 +68,7 @@ Foam::fsi::immersedMembranes::immersedMembranes
     geometry_(geometry),
     fluid_(objects.fluid()),
     gravity_(objects.gravity()),
-    width_(readKernel(objects.properties().subOrEmptyDict("membranes"))),
+    width_(readKernel(objects)),
     viscosity_(viscosity)
 {
     bool any = false;
@@ -117,6 +98,17 @@ Foam::fsi::immersedMembranes::immersedMembranes
     {
         contrast_.reset(new viscosityContrast(*faces_, fluid_));
     }
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::label Foam::fsi::immersedMembranes::readKernel(const fsiObjects& objects)
+{
+    const dictionary dict(objects.properties().subOrEmptyDict("membranes"));
+    checkKeys(dict, {"kernel", "contact"});
+    checkSubDicts(dict, {"contact"});
+    return readBetween(dict, "kernel", 3, 2, 4);
 }
 
 

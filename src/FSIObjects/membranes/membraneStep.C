@@ -2,6 +2,7 @@
 
 #include "membraneStep.H"
 #include "immersedBodies.H"
+#include "immersedMembranes.H"
 #include "sumOverRanks.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -14,8 +15,7 @@ namespace fsi
 //- Largest dt a/(mu h) of explicit forces
 static scalar stepLimit(const fsiObjects& objects)
 {
-    const dictionary& dict = objects.properties().subOrEmptyDict("membranes");
-    return dict.lookupOrDefault<label>("kernel", 3) == 2 ? 17 : 34;
+    return immersedMembranes::readKernel(objects) == 2 ? 17 : 34;
 }
 
 
@@ -36,15 +36,18 @@ static scalar longestOf(const fsiObjects& objects, const bodyGroup& group)
 
 Foam::scalar Foam::fsi::longestMembraneStep(const fsiObjects& objects)
 {
+    // All ranks have the same groups
     scalar longest = GREAT;
+    bool any = false;
     for (const bodyGroup& group : objects.bodies().groups())
     {
-        longest =
-            group.hasWalls()
-          ? longest
-          : min(longest, longestOf(objects, group));
+        if (!group.hasWalls())
+        {
+            any = true;
+            longest = min(longest, longestOf(objects, group));
+        }
     }
-    return overRanks(longest, minOp<scalar>());
+    return any ? overRanks(longest, minOp<scalar>()) : longest;
 }
 
 

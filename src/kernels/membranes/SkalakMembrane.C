@@ -64,21 +64,6 @@ static void addSkalakForces
     );
 }
 
-
-//- C from the moduli of area and shear
-static scalar readRatio(const dictionary& dict, const scalar shear)
-{
-    const scalar area = readPositive(dict, "areaModulus", 3*shear);
-    if (area < shear)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'areaModulus' in dictionary " << dict.name() << " is "
-            << area << " N/m but must be at least the shearModulus, " << shear
-            << " N/m, for the law Skalak" << exit(FatalIOError);
-    }
-    return 0.5*(area/shear - 1);
-}
-
 } // End namespace fsi
 } // End namespace Foam
 
@@ -92,7 +77,7 @@ Foam::fsi::SkalakMembrane::SkalakMembrane(const dictionary& dict)
         readPositive(dict, "shearModulus"),
         {"shearModulus", "areaModulus"}
     ),
-    ratio_(readRatio(dict, modulus()))
+    ratio_(0.5*(readAreaModulus(dict, modulus(), 1) - 1))
 {}
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "membraneLaw.H"
+#include "dictionaryCheck.H"
 #include "laneField.H"
 #include "membraneTriangle.H"
 #include "selection.H"
@@ -31,6 +32,29 @@ Foam::autoPtr<Foam::fsi::membraneLaw> Foam::fsi::membraneLaw::New
         "law",
         dict.lookupOrDefault<word>("law", "Skalak")
     )(dict);
+}
+
+
+// * * * * * * * * * * * * * Static Member Functions * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::membraneLaw::readAreaModulus
+(
+    const dictionary& dict,
+    const scalar shear,
+    const scalar least
+)
+{
+    const scalar area = readPositive(dict, "areaModulus", 3*shear);
+    if (area < least*shear)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'areaModulus' in dictionary " << dict.name() << " is "
+            << area << " N/m but must be at least " << least*shear << " N/m, "
+            << least << " times the shearModulus, for the law "
+            << dict.lookupOrDefault<word>("law", "Skalak")
+            << exit(FatalIOError);
+    }
+    return area/shear;
 }
 
 

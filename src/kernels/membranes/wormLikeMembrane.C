@@ -132,21 +132,6 @@ static void addNetworkForces
     );
 }
 
-
-//- k/G_s from the moduli of area and shear
-static scalar readOfTriangles(const dictionary& dict, const scalar shear)
-{
-    const scalar area = readPositive(dict, "areaModulus", 3*shear);
-    if (area < 2*shear)
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'areaModulus' in dictionary " << dict.name() << " is "
-            << area << " N/m but must be at least twice the shearModulus, "
-            << shear << " N/m, for the law wormLikeChain" << exit(FatalIOError);
-    }
-    return area/shear - 2;
-}
-
 } // End namespace fsi
 } // End namespace Foam
 
@@ -160,7 +145,7 @@ Foam::fsi::wormLikeMembrane::wormLikeMembrane(const dictionary& dict)
         readPositive(dict, "shearModulus"),
         {"shearModulus", "areaModulus"}
     ),
-    ofTriangles_(readOfTriangles(dict, modulus()))
+    ofTriangles_(readAreaModulus(dict, modulus(), 2) - 2)
 {}
 
 

@@ -14,7 +14,7 @@ using Foam::fsi::bodyVolume;
 //- Nodes less the first one
 class fromFirst
 {
-    //- Components; a plane has the third one of the first
+    //- Columns of x, y and z; in two dimensions z is x times 0
     const scalar* x_[3];
 
     const scalar third_;
