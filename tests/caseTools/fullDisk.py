@@ -23,6 +23,9 @@ from smallCase import result, small_case
 
 END = "0.02"
 
+# The system's reason
+FULL = "No space left on device"
+
 
 def size_of(folder):
     """Bytes of the files below a folder, in blocks of 4 kB."""
@@ -85,6 +88,8 @@ def outcome(base, folder, position, whole):
             found = written(case)
             wrong = [k for k in whole if found.get(k) != whole[k]]
             return ("silent" if wrong else "all written"), " ".join(wrong)
+        if mounted and "complete time is" in text and FULL not in text:
+            return "guessed", text
         note = ("complete time is" in text or "No time is complete" in text
                 or "annot open" in text or "Cannot write" in text)
         clear = status > 0 and "FOAM FATAL" in text
@@ -112,7 +117,7 @@ def main(folder, count=20):
         position = int(room*(i + dice.random())/int(count))
         word, text = outcome(base, folder, position, whole)
         counts[word] = counts.get(word, 0) + 1
-        if word in ("silent", "signal", "error"):
+        if word in ("silent", "signal", "error", "guessed"):
             print(f"    {word} at {position}: {' '.join(text[-500:].split())}",
                   flush=True)
     print("    " + ", ".join(f"{n} {word}" for word, n in counts.items()))
@@ -120,6 +125,8 @@ def main(folder, count=20):
                  str(counts))
     report.check("no full disk ends in a signal", counts.get("signal", 0) == 0,
                  str(counts))
+    report.check("the system's reason is told",
+                 counts.get("guessed", 0) == 0, str(counts))
     report.check("full disks are met", counts.get("named", 0) > 0,
                  str(counts))
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "csvTable.H"
+#include "diskNote.H"
 #include "OSspecific.H"
 #include "writtenFiles.H"
 
@@ -58,7 +59,8 @@ Foam::fsi::csvTable::rowWriter::~rowWriter() noexcept(false)
     {
         const fileName& file = table_.file_;
         FatalErrorInFunction
-            << "Cannot write " << file << ". Is the disk full?" << nl
+            << "Cannot write " << file << nl
+            << diskNote(file.path()).c_str()
             << writtenFiles::lastTimeNote
                (
                    file.substr(0, file.find("/postProcessing"))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "writtenFiles.H"
+#include "diskNote.H"
 #include "errorOf.H"
 #include "IFstream.H"
 #include "openfoamFiles.H"
@@ -64,6 +65,24 @@ static bool blocksEnd(std::ifstream& is)
     return found;
 }
 
+
+//- The file or dictionary that an error was in, and the line
+static string placeOf(const caughtError& error)
+{
+    if (error.file.empty())
+    {
+        return string();
+    }
+    const string line(", line " + Foam::name(error.line));
+    return " (" + error.file + (error.line < 0 ? string() : line) + ")";
+}
+
+
+//- Why the disk takes no more, if it does not, and the last complete time
+static string endOfMessage(const Time& time)
+{
+    return diskNote(time.path()) + lastTimeNote(time.globalPath());
+}
 
 } // End namespace writtenFiles
 } // End namespace fsi
@@ -169,9 +188,9 @@ void Foam::fsi::writtenFiles::write
     {
         FatalErrorInFunction
             << "Cannot write time " << nameOf(time) << " of "
-            << time.globalPath() << ": " << error.message.c_str() << nl
-            << "Is the disk full? "
-            << lastTimeNote(time.globalPath()).c_str() << exit(FatalError);
+            << time.globalPath() << ": " << error.message.c_str()
+            << placeOf(error).c_str() << nl << endOfMessage(time).c_str()
+            << exit(FatalError);
     }
 }
 
@@ -197,9 +216,8 @@ void Foam::fsi::writtenFiles::check(const Time& time)
     if (!wrong.empty())
     {
         FatalErrorInFunction
-            << "File " << wrong << " is missing or cut after it was written."
-            << " Is the disk full?" << nl
-            << lastTimeNote(time.globalPath()).c_str() << exit(FatalError);
+            << "File " << wrong << " is missing or cut after it was written"
+            << nl << endOfMessage(time).c_str() << exit(FatalError);
     }
 }
 
