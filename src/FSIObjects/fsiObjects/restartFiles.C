@@ -167,7 +167,11 @@ void Foam::fsi::restartFiles::write(const fvMesh& mesh)
 }
 
 
-void Foam::fsi::restartFiles::check(const fvMesh& mesh)
+void Foam::fsi::restartFiles::check
+(
+    const fvMesh& mesh,
+    const wordList& volumes
+)
 {
     const Time& time = mesh.time();
     const dictionary list(readState(time, "fsiRestart"));
@@ -197,10 +201,9 @@ void Foam::fsi::restartFiles::check(const fvMesh& mesh)
             checkFile(list, time, "", file);
         }
     }
-    const word volume("Volume");
-    for (const word& name : fields)
+    for (const word& name : volumes)
     {
-        if (name.endsWith(volume))
+        if (isIn(fields, name))
         {
             checkFile
             (

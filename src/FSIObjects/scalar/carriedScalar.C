@@ -97,7 +97,7 @@ Foam::fsi::carriedScalar::carriedScalar
     ),
     fixed_(geometry, surfaces_, C_),
     open_(openVolumes(objects, geometry, surfaces_)),
-    volumes_(objects.grid(), name + "Volume", capacity()()),
+    volumes_(objects.grid(), heldVolumes::nameFor(name), capacity()()),
     bodyFlux_(objects, geometry, surfaces_),
     inBodies_(surfaces_.all().size(), Zero),
     fromSurfaces_(surfaces_.all().size(), Zero),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fsiStep.H"
+#include "heldVolumes.H"
 #include "needAllObjects.H"
 #include "objectResponse.H"
 #include "projectVersion.H"
@@ -29,7 +30,12 @@ Foam::fsi::fsiStep::fsiStep(fsiObjects& objects)
     hydrodynamicForce_(objects.bodies().layout().nSurface(), Zero),
     output_(objects)
 {
-    restartFiles::check(objects.grid().mesh());
+    wordList volumes(objects.properties().subOrEmptyDict("scalars").toc());
+    for (word& name : volumes)
+    {
+        name = heldVolumes::nameFor(name);
+    }
+    restartFiles::check(objects.grid().mesh(), volumes);
 }
 
 

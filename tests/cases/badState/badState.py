@@ -182,6 +182,13 @@ def check_missing(report, case, folder):
         report.check(f"{name} missing: a warning",
                      "Warning" in log and f'/{name}" is missing' in log
                      and log.rstrip().endswith("End"), log[-300:])
+    path = copy_of(case, wrong) + "/0.02/uniform/fsiRestart"
+    text = results.without_sums(results.read(path))
+    new = re.sub(r"fields\s[^(]*\(", "fields (poreVolume ", text)
+    write(path, new)
+    log = failure(wrong)
+    report.check("a user's field is not missed", new != text
+                 and "Warning" not in log and "\nEnd" in log, log[-300:])
 
 
 def check_killed(report, case, folder):
