@@ -46,6 +46,7 @@ Description
 #include "fileHeaders.H"
 #include "fsiStep.H"
 #include "laminarFluid.H"
+#include "letOverflow.H"
 #include "meshFiles.H"
 #include "openfoamCase.H"
 #include "openfoamVersion.H"
@@ -90,6 +91,7 @@ int main(int argc, char *argv[])
         "dry-run", "Read all and take one time step, which is not written"
     );
     #include "setRootCaseLists.H"
+    fsi::letOverflow();
     const bool dryRun = args.found("dry-run");
     functionObject::outputPrefix += dryRun ? "-dry-run" : "";
     const fsi::caseLock lock(args.globalPath());

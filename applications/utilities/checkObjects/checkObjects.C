@@ -43,6 +43,7 @@ Usage
 
 #include "argList.H"
 #include "historyCheck.H"
+#include "letOverflow.H"
 #include "meshFiles.H"
 #include "openBoundaries.H"
 #include "openfoamCase.H"
@@ -121,6 +122,7 @@ int main(int argc, char *argv[])
     addOptions();
     #include "addRegionOption.H"
     #include "setRootCase.H"
+    fsi::letOverflow();
     #include "createTime.H"
     const instantList times = timeSelector::select0(runTime, args);
     #include "createCaseMesh.H"

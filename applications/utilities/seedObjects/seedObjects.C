@@ -35,6 +35,7 @@ Usage
 #include "OSspecific.H"
 #include "cartesianMesh.H"
 #include "contact.H"
+#include "letOverflow.H"
 #include "meshFiles.H"
 #include "objectPolyData.H"
 #include "openfoamCase.H"
@@ -194,6 +195,7 @@ int main(int argc, char *argv[])
     argList::addBoolOption("weights", "Write the cells' work for decomposePar");
 
     #include "setRootCase.H"
+    fsi::letOverflow();
     #include "createTime.H"
     fsi::nameByFolder(runTime);
     refuseRun(runTime);

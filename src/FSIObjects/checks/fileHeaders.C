@@ -2,6 +2,7 @@
 
 #include "fileHeaders.H"
 #include "errorOf.H"
+#include "noTraps.H"
 #include "openfoamVersion.H"
 #include "OSspecific.H"
 
@@ -49,6 +50,7 @@ static double versionOf(const std::string& text)
     {
         return 2;
     }
+    const noTraps untrapped;
     return std::strtod(text.c_str() + found + key.size(), nullptr);
 }
 

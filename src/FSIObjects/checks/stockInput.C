@@ -6,6 +6,7 @@
 #include "fvMesh.H"
 #include "IFstream.H"
 #include "misspelling.H"
+#include "noTraps.H"
 #include "openfoamMesh.H"
 #include "readBetween.H"
 #include "stepControls.H"
@@ -27,6 +28,7 @@ static dictionary constantFile(const fvMesh& mesh, const word& name)
     dictionary dict(file);
     if (isFile(file))
     {
+        const noTraps untrapped;
         IFstream is(file);
         dict.read(is);
     }

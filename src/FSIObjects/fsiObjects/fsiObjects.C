@@ -4,6 +4,7 @@
 #include "dictionaryCheck.H"
 #include "motionCheck.H"
 #include "needAllObjects.H"
+#include "noTraps.H"
 #include "openfoamMesh.H"
 #include "openfoamVersion.H"
 #include "readBetween.H"
@@ -20,6 +21,23 @@ namespace Foam
 {
 namespace fsi
 {
+
+//- Read fsiProperties: a number that is too large raises no signal
+static IOdictionary readProperties(const fvMesh& mesh)
+{
+    const noTraps untrapped;
+    return IOdictionary
+    (
+        IOobject
+        (
+            "fsiProperties",
+            mesh.time().constant(),
+            mesh,
+            IOobject::MUST_READ
+        )
+    );
+}
+
 
 //- Check the keys of fsiProperties before anything is read from it, and load
 //  its libraries
@@ -67,16 +85,7 @@ Foam::fsi::fsiObjects::fsiObjects
 )
 :
     mesh_(named(mesh)),
-    properties_
-    (
-        IOobject
-        (
-            "fsiProperties",
-            mesh.time().constant(),
-            mesh,
-            IOobject::MUST_READ
-        )
-    ),
+    properties_(readProperties(mesh)),
     log_
     (
         mesh.time(),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "stateText.H"
+#include "noTraps.H"
 
 #include <cctype>
 #include <cstdlib>
@@ -48,6 +49,7 @@ std::istringstream Foam::fsi::entryAt
 Foam::word Foam::fsi::oversized(const std::string& text)
 {
     static const char* const blanks = " \t\r\n";
+    const noTraps untrapped;
     const bool binary = text.find("binary") < text.find('}');
     std::size_t at = text.find_first_of("({");
     for (; at != std::string::npos; at = text.find_first_of("({", at + 1))

@@ -5,6 +5,7 @@
 #include "errorOf.H"
 #include "IFstream.H"
 #include "instantList.H"
+#include "noTraps.H"
 #include "openfoamVersion.H"
 #include "OSspecific.H"
 #include "sumOverRanks.H"
@@ -54,6 +55,7 @@ static List<fileNameList> rankFolders(const fileName& caseFolder)
 //  all ranks for it
 static instantList timesOnDisk(const fileName& folder)
 {
+    const noTraps untrapped;
     instantList times;
     for (const fileName& name : foldersIn(folder))
     {
