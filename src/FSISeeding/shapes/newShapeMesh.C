@@ -27,7 +27,7 @@ static void failMesh
             << " in dictionary "
         << dict.name() << ": the shape cannot be meshed with nodes "
         << nodeSpacing << " m apart: " << reason << nl
-        << "Take nodes that are nearer to each other"
+        << "Take nodes that are nearer to each other, or a little farther"
         << exit(FatalIOError);
 }
 
@@ -87,7 +87,12 @@ Foam::fsi::shapeMesh Foam::fsi::newShapeMesh
     }
     if (nDims == 3 && surfaceTools::nOpenEdges(result.faces))
     {
-        failMesh(shapeDict, nodeSpacing, "its surface would not be closed");
+        failMesh
+        (
+            shapeDict, nodeSpacing,
+            "its surface would not be closed, as may happen at an edge sharper"
+            " than 40 degrees (blunt it)"
+        );
     }
     return result;
 }

@@ -3,6 +3,7 @@
 #include "tetrahedralisation.H"
 #include "boundBox.H"
 #include "DynamicList.H"
+#include "filledCells.H"
 #include "noTraps.H"
 #include "surfaceDepth.H"
 #include "surfaceTools.H"
@@ -126,23 +127,6 @@ static polyhedron polyhedronOf(const shapeMesh& surface)
 }
 
 
-//- A corner of a boundary face, which turns as seen from outside
-static vertex corner
-(
-    const meshComplex& complex,
-    const triangulation::Facet& facet,
-    const int i
-)
-{
-    // CGAL's faces turn clockwise seen from the cell they belong to
-    const triangulation::Facet f =
-        complex.is_in_complex(facet.first)
-      ? complex.triangulation().mirror_facet(facet)
-      : facet;
-    return f.first->vertex(triangulation::vertex_triple_index(f.second, i));
-}
-
-
 //- Boundary faces and tetrahedra of the complex, in units of the size
 static shapeMesh extract(const meshComplex& complex)
 {
@@ -162,39 +146,33 @@ static shapeMesh extract(const meshComplex& complex)
         return added.first->second;
     };
 
+    const filledCells<meshComplex> filled(complex);
     DynamicList<surfaceFace> faces;
-    for
-    (
-        auto iter = complex.facets_in_complex_begin();
-        iter != complex.facets_in_complex_end();
-        ++iter
-    )
+    filled.forAllFacets([&](const triangulation::Facet& facet)
     {
+        // CGAL's faces turn clockwise seen from the cell they belong to
         surfaceFace face;
         for (int i = 0; i < 3; ++i)
         {
-            face[i] = labelOf(corner(complex, *iter, i));
+            const int corner =
+                triangulation::vertex_triple_index(facet.second, i);
+            face[i] = labelOf(facet.first->vertex(corner));
         }
         faces.append(face);
-    }
+    });
     result.faces = faces;
     result.nBoundary = points.size();
 
     DynamicList<bodyElement> elements;
-    for
-    (
-        auto c = complex.cells_in_complex_begin();
-        c != complex.cells_in_complex_end();
-        ++c
-    )
+    filled.forAllCells([&](const triangulation::Cell_handle& cell)
     {
         bodyElement element;
         for (int i = 0; i < 4; ++i)
         {
-            element[i] = labelOf(c->vertex(i));
+            element[i] = labelOf(cell->vertex(i));
         }
         elements.append(element);
-    }
+    });
     result.elements = elements;
     result.points = points;
     return result;

@@ -55,4 +55,41 @@ TEST(surfaceFile, wallOfAVesselIsABoxWithAHole)
 }
 
 
+TEST(surfaceFile, sharpEdgesAreKept)
+{
+    // A wedge of 3 x 4 whose edge has 20 degrees
+    const fileName file
+    (
+        fileOf
+        (
+            "wedge.obj",
+            "v 0 0 0\nv 3 -0.52898 0\nv 3 0.52898 0\n"
+            "v 0 0 4\nv 3 -0.52898 4\nv 3 0.52898 4\n"
+            "f 1 3 2\nf 4 5 6\nf 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\n"
+            "f 3 1 4\nf 3 4 6\n"
+        )
+    );
+    const string text("type surface; file \"wedge.obj\";");
+    const shapeMesh wedge(solidOf(text)->surface());
+    const scalar area = surfaceTools::area(wedge.points, wedge.faces);
+    for (const scalar nodeSpacing : {0.5, 0.4, 0.211})
+    {
+        const shapeMesh mesh
+        (
+            newShapeMesh
+            (
+                dictionary(IStringStream(text)()), 3, nodeSpacing,
+                gradingOf(""), false
+            )
+        );
+        EXPECT_EQ(surfaceTools::nOpenEdges(mesh.faces), 0);
+        EXPECT_NEAR
+        (
+            surfaceTools::area(mesh.points, mesh.faces), area, 1e-6*area
+        );
+    }
+    rm(file);
+}
+
+
 // ************************************************************************* //
