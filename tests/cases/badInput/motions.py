@@ -113,6 +113,7 @@ def check_one_place(report, folder):
     """Two free objects at one place are named at the start."""
     for cells, material, properties in (
             ((32, 32), "E 100;", ""), ((16, 16, 16), "E 100;", ""),
+            ((32, 32), "type rigid;", ""), ((16, 16, 16), "type rigid;", ""),
             ((16, 16, 16), "type membrane; shearModulus 1;",
              "contact { law { type none; } }")):
         plane = len(cells) == 2
@@ -138,7 +139,8 @@ def check_one_place(report, folder):
                 + text[found.end(2):])
         with open(name, "w", encoding="ascii") as stream:
             stream.write(results.without_sums(text))
-        refused(report, f"two objects at one place, {len(cells)}D", case,
+        refused(report, f"two objects at one place, {len(cells)}D, "
+                f"{material.split(';')[0]}", case,
                 "fsiPisoFoam", ("FATAL ERROR", "Objects 0 of shape a and 1 of "
                                 "shape a", "overlap at the start"))
 
