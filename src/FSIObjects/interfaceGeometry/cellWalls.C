@@ -29,60 +29,6 @@ direction sidePlace(const UList<wallFace>& faces, const label side)
 }
 
 
-//- The face after a face and the last one, about a node; -1 if there is none
-label nextAbout
-(
-    const surfaceSet& surfaces,
-    const label nodei,
-    const label facei,
-    const label last
-)
-{
-    for (label i = 0; i < surfaces.nNodes(); ++i)
-    {
-        const label next = surfaces.faceAcross(facei, i);
-        if (surfaces.faces()[facei][i] != nodei && next != last)
-        {
-            return next;
-        }
-    }
-    return -1;
-}
-
-
-//- Append the faces that a place is on: one, or those at an edge or a node,
-//  where rounding tells which one has been found
-void appendFaces
-(
-    const surfaceSet& surfaces,
-    const label facei,
-    const surfacePlace& place,
-    DynamicList<label>& faces
-)
-{
-    faces.append(facei);
-    label nZero = 0;
-    label i = -1, node = -1;
-    for (label k = 0; k < surfaces.nNodes(); ++k)
-    {
-        const bool zero = place.weights[k] <= 0;
-        nZero += zero;
-        i = zero ? k : i;
-        node = zero ? node : surfaces.faces()[facei][k];
-    }
-    label last = facei;
-    label next = i < 0 ? -1 : surfaces.faceAcross(facei, i);
-    while (next >= 0 && next != facei)
-    {
-        faces.append(next);
-        const label after =
-            nZero < 2 ? -1 : nextAbout(surfaces, node, next, last);
-        last = next;
-        next = after;
-    }
-}
-
-
 //- The sum of the area vectors of faces
 vector areaNormal(const surfaceSet& surfaces, const UList<label>& faces)
 {
@@ -136,7 +82,7 @@ void Foam::fsi::cellWalls::addPart
         const wallFace& w = faces[side/2];
         const wallOrigin& origin = origins[side/2];
         there_.clear();
-        appendFaces(surfaces, origin.surface, w.place, there_);
+        appendFacesAt(surfaces, origin.surface, w.place.weights, there_);
         const vector n(areaNormal(surfaces, there_));
         normal = side == first ? n : normal;
         if (w.place.object != object || (n & normal) <= 0)

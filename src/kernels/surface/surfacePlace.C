@@ -9,6 +9,7 @@ namespace
 {
 
 using namespace Foam;
+using Foam::fsi::surfaceSet;
 
 //- The nearest of the places tried so far
 struct nearestSoFar
@@ -55,6 +56,26 @@ struct nearestSoFar
         return false;
     }
 };
+
+//- The face after a face and the last one, about a node; -1 if there is none
+label nextAbout
+(
+    const surfaceSet& surfaces,
+    const label nodei,
+    const label facei,
+    const label last
+)
+{
+    for (label i = 0; i < surfaces.nNodes(); ++i)
+    {
+        const label next = surfaces.faceAcross(facei, i);
+        if (surfaces.faces()[facei][i] != nodei && next != last)
+        {
+            return next;
+        }
+    }
+    return -1;
+}
 
 } // End anonymous namespace
 
@@ -113,6 +134,43 @@ Foam::fsi::surfacePlace Foam::fsi::nearestPlace
 {
     FixedList<label, 2> faces{faceA, faceB};
     return nearestPlace(surfaces, p, UList<label>(faces.data(), 2), found);
+}
+
+
+void Foam::fsi::appendFacesAt
+(
+    const surfaceSet& surfaces,
+    const label facei,
+    const FixedList<scalar, 3>& weights,
+    DynamicList<label>& faces
+)
+{
+    faces.append(facei);
+    label nZero = 0;
+    label node = -1;
+    for (label i = 0; i < surfaces.nNodes(); ++i)
+    {
+        const bool zero = weights[i] <= 0;
+        nZero += zero;
+        node = zero ? node : surfaces.faces()[facei][i];
+    }
+
+    // From either side, since the way about a node ends at a border
+    bool round = false;
+    for (label i = surfaces.nNodes() - 1; i >= 0 && !round; --i)
+    {
+        label last = facei;
+        label next = weights[i] <= 0 ? surfaces.faceAcross(facei, i) : -1;
+        while (next >= 0 && next != facei)
+        {
+            faces.append(next);
+            const label after =
+                nZero < 2 ? -1 : nextAbout(surfaces, node, next, last);
+            last = next;
+            next = after;
+        }
+        round = next == facei;
+    }
 }
 
 
