@@ -58,7 +58,7 @@ void Foam::fsi::immersedMembranes::carry
 
 Foam::fsi::immersedMembranes::immersedMembranes
 (
-    const fsiObjects& objects,
+    fsiObjects& objects,
     const interfaceGeometry& geometry,
     fluidViscosity& viscosity
 )

@@ -67,13 +67,16 @@ void Foam::fsi::immersedMembranes::setForces
 {
     nodeLayout::groupNodal force;
     bodies_.layout().zero(force);
+    const membraneForceStep step(membraneStepOf(objects_, deltaT));
     forAll(force, groupi)
     {
-        const bodyGroup& group = bodies_.groups()[groupi];
+        bodyGroup& group = bodies_.groups()[groupi];
         if (!group.hasWalls())
         {
-            checkMembraneStep(objects_, group, deltaT);
-            group.internalForce(force[groupi]);
+            dynamic_cast<immersedBodies&>(group).stepForces
+            (
+                step, force[groupi]
+            );
             addWeight(group, force[groupi]);
             force[groupi] += given[groupi];
             force[groupi] /= fluid_.density;

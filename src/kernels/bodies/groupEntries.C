@@ -24,7 +24,8 @@ Foam::labelList Foam::fsi::readGroupIds
             "FoamFile", "motion", "shape", "objectIds", "positions",
             "velocities", "lastMean", "lastVelocities", "meanLoad",
             "lastLoad", "owedImpulse", "contactRange", "periods",
-            "springStates", "triangles", "anchors"
+            "springStates", "triangles", "anchors", "elasticForces",
+            "naturalMetrics"
         }
     );
     const word name(getEntry<word>(dict, "shape"));

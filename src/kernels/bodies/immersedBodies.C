@@ -10,6 +10,7 @@ Foam::fsi::immersedBodies::immersedBodies(const shapeTemplate& shape)
 :
     bodyGroup(shape),
     forces_(*shape.sheet(), shape.mesh(), shape.nodeSpacing()),
+    implicit_(forces_),
     response_(shape)
 {
     if (shape.sheet()->membraneViscosity > 0)
@@ -19,10 +20,34 @@ Foam::fsi::immersedBodies::immersedBodies(const shapeTemplate& shape)
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::immersedBodies::stiffness(const label copyi) const
+{
+    return shape().sheet()->stiffness
+    (
+        shape().nodeSpacing(), forces_.largestRatio(positions(), copyi)
+    );
+}
+
+
+Foam::scalar Foam::fsi::immersedBodies::explicitPart
+(
+    const membraneForceStep& step
+) const
+{
+    const scalar spacing = shape().nodeSpacing();
+    return
+        step.number(shape().sheet()->explicitStiffness(spacing))
+       /step.mostExplicit;
+}
+
+
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
 void Foam::fsi::immersedBodies::resizeState(const label nCopies)
 {
+    elasticForces_.conservativeResize(shape().nNodes(), 3*nCopies);
     if (viscosity_.valid())
     {
         viscosity_->resize(nCopies);
@@ -32,6 +57,7 @@ void Foam::fsi::immersedBodies::resizeState(const label nCopies)
 
 void Foam::fsi::immersedBodies::startState(const label copyi)
 {
+    ofCopy(elasticForces_, copyi).setZero();
     if (viscosity_.valid())
     {
         viscosity_->start(copyi);
@@ -45,6 +71,7 @@ void Foam::fsi::immersedBodies::exchangeState
     copyValues& values
 )
 {
+    values.block(ofCopy(elasticForces_, copyi));
     if (viscosity_.valid())
     {
         values.block(viscosity_->natural().col(copyi));
@@ -54,6 +81,7 @@ void Foam::fsi::immersedBodies::exchangeState
 
 void Foam::fsi::immersedBodies::writeState(Ostream& os) const
 {
+    writeMatrix(os, "elasticForces", elasticForces_);
     if (viscosity_.valid())
     {
         writeMatrix(os, "naturalMetrics", viscosity_->natural());
@@ -63,6 +91,7 @@ void Foam::fsi::immersedBodies::writeState(Ostream& os) const
 
 void Foam::fsi::immersedBodies::readState(const dictionary& dict)
 {
+    readMatrix(dict, "elasticForces", elasticForces_);
     if (viscosity_.valid())
     {
         readMatrix(dict, "naturalMetrics", viscosity_->natural());
@@ -156,12 +185,66 @@ Foam::scalar Foam::fsi::immersedBodies::elasticEnergy() const
 }
 
 
-Foam::scalar Foam::fsi::immersedBodies::stiffness() const
+void Foam::fsi::immersedBodies::stepForces
+(
+    const membraneForceStep& step,
+    Eigen::MatrixXd& force
+)
 {
-    return shape().sheet()->stiffness
-    (
-        shape().nodeSpacing(), forces_.largestRatio(positions())
-    );
+    DynamicList<label> stiff;
+    scalar most = explicitPart(step);
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        const scalar number = step.number(stiffness(copyi));
+        most = max(most, number/step.mostImplicit);
+        if (number > step.mostExplicit)
+        {
+            stiff.append(copyi);
+        }
+    }
+    if (most > 1)
+    {
+        FatalErrorInFunction
+            << "The time step " << step.dt << " s is too long for the membranes"
+            << " of shape " << shape().name() << " as they are stretched" << nl
+            << "Take a step of " << step.dt/most << " s or less,"
+            << " adjustTimeStep yes, or smaller moduli" << exit(FatalError);
+    }
+    forces_.energy(positions(), &force);
+    if (stiff.size())
+    {
+        for (const label copyi : stiff)
+        {
+            ofCopy(force, copyi) = ofCopy(elasticForces_, copyi);
+        }
+        implicit_.correct
+        (
+            stiff,
+            step.dt*implicit_.mobility()/step.viscosity,
+            positions(),
+            positions() + step.dt*velocities(),
+            force
+        );
+    }
+    elasticForces_ = force;
+    if (viscosity_.valid())
+    {
+        viscosity_->addForce(positions(), force);
+    }
+}
+
+
+Foam::scalar Foam::fsi::immersedBodies::longestStep
+(
+    const membraneForceStep& step
+) const
+{
+    scalar most = explicitPart(step);
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        most = max(most, step.number(stiffness(copyi))/step.mostImplicit);
+    }
+    return step.dt/max(most, VSMALL);
 }
 
 

@@ -44,7 +44,16 @@ Foam::scalar Foam::fsi::sheetMaterial::stiffness
 {
     return
         shearModulus*(2 + pow(ratio, 0.75)*(law->areaModulus() - 1))
-      + 2*(viscousModulus + bendingModulus/sqr(spacing));
+      + explicitStiffness(spacing);
+}
+
+
+Foam::scalar Foam::fsi::sheetMaterial::explicitStiffness
+(
+    const scalar spacing
+) const
+{
+    return 2*(viscousModulus + bendingModulus/sqr(spacing));
 }
 
 

@@ -20,10 +20,8 @@ import sys
 import adhesion
 import fsiCase
 import results
-
-HALF = 4
-VISCOSITY = 20
-STEP = 0.02
+import steps
+from shearCase import HALF, STEP, STIFF, VISCOSITY, capsule
 
 # Taylor's deformation at the time 1, capillary number 0.3: Ramanujan &
 # Pozrikidis 1998, J. Fluid Mech. 361, 117; Doddi & Bagchi 2008, Int. J.
@@ -35,44 +33,6 @@ EXCESS = 1.08
 
 # A membrane whose viscosity is that of the fluid times the radius
 VISCOUS = f"membraneViscosity {VISCOSITY}; viscousModulus {20*VISCOSITY};"
-
-# With two cells to the radius dt a/(mu h) is 33.5 at rest, where 34 is allowed
-STIFF = {"law": "Skalak", "material": f"areaModulus {200*VISCOSITY/0.3};",
-         "deltaT": 0.025, "endTime": 1}
-
-
-def shear(case, n):
-    """Starts a case with the flow of its walls."""
-    size = 2*HALF/n
-    rows = "".join(f"({-HALF + (j + 0.5)*size} 0 0)\n"*n for j in range(n))
-    name = os.path.join(case.path, "0/U")
-    with open(name, encoding="ascii") as stream:
-        text = stream.read()
-    with open(name, "w", encoding="ascii") as stream:
-        stream.write(text.replace(
-            "internalField uniform (0 0 0);",
-            f"internalField nonuniform List<vector> {n**3}\n(\n{rows*n});"))
-
-
-def capsule(folder, name, cells=5, capillary=0.3, material="",
-            law="neoHookean", modulus="shearModulus", **more):
-    """The seeded case, with this many cells to the radius."""
-    n = 2*HALF*cells
-    values = {"deltaT": STEP, "endTime": 1, "properties":
-              "output { objectsEvery 1; }", "p_tolerance": 1e-5,
-              "U_tolerance": 1e-6, **more}
-    case = fsiCase.Case(
-        os.path.join(folder, name),
-        box=(-HALF, -HALF, -HALF, HALF, HALF, HALF), cells=(n, n, n),
-        viscosity=VISCOSITY, cyclic="xz",
-        walls={"top": f"({HALF} 0 0)", "bottom": f"({-HALF} 0 0)"},
-        shapes="capsule { shape { type sphere; radius 1; } material { "
-               f"type membrane; law {law}; density 1; "
-               f"{modulus} {VISCOSITY/capillary}; {material} }} }}",
-        placements="all { type listed; shape capsule; "
-                   "objects ({ centre (0 0 0); }); }", **values)
-    shear(case, n)
-    return case.set_up()
 
 
 def check_deformation(report, folder):
@@ -155,23 +115,25 @@ def check_ranks(report, folder):
     """Two ranks, cut across a cyclic direction or along the walls, and three,
     with another viscosity inside and in the membrane."""
     short = {"cells": 4, "endTime": 5*STEP, "writeInterval": 5,
-             "writePrecision": 17, "p_tolerance": 1e-12, "U_tolerance": 1e-12,
-             "material": f"innerViscosity {3*VISCOSITY}; {VISCOUS}"}
-    serial = capsule(folder, "serial", **short)
-    serial.run("fsiPisoFoam")
-    for parts in ((2, 1, 1), (1, 2, 1), (3, 1, 1)):
-        case = capsule(folder, "ranks", **short)
+             "writePrecision": 17, "p_tolerance": 1e-12, "U_tolerance": 1e-12}
+    viscous = {"material": f"innerViscosity {3*VISCOSITY}; {VISCOUS}"}
+    for parts, sheet in (((2, 1, 1), viscous), ((1, 2, 1), viscous),
+                         ((3, 1, 1), viscous), ((2, 1, 1), STIFF)):
+        serial = capsule(folder, "serial", **short, **sheet)
+        serial.run("fsiPisoFoam")
+        case = capsule(folder, "ranks", **short, **sheet)
         case.decompose(*parts)
         case.run("fsiPisoFoam", ranks=max(parts))
         case.run("reconstructPar", "-latestTime")
         error = results.difference(serial.path, case.path)
         tables = [results.table(c.path, "objects.csv")[-1]
                   for c in (serial, case)]
-        report.check(f"ranks {parts} have the rows of one", all(
+        what = f"ranks {parts} {'stiff ' if sheet is STIFF else ''}have"
+        report.check(f"{what} the rows of one", all(
             abs(tables[0][key] - tables[1][key]) < 1e-7
             for key in ("phaseX", "phaseZ", "inclination", "stretch")),
                      str(tables))
-        report.check(f"ranks {parts} have the nodes of one", error < 1e-8,
+        report.check(f"{what} the nodes of one", error < 1e-8,
                      f"{error:.2e} of the size")
 
 
@@ -222,19 +184,24 @@ def check_walls(report, folder):
 
 def check_restart(report, folder):
     """A run that was stopped ends as the run without a stop, on one rank and on
-    two; a viscous capsule with another viscosity inside and bending."""
-    more = {"cells": 4, "deltaT": 0.1*STEP, "writeInterval": 3,
-            "writeFormat": "binary", "timePrecision": 10, "material":
-            f"bendingModulus {0.01*VISCOSITY}; "
-            f"innerViscosity {3*VISCOSITY}; {VISCOUS}"}
-    for ranks in (1, 2):
-        whole = capsule(folder, f"whole{ranks}", endTime=0.6*STEP, **more)
-        stopped = capsule(folder, f"stopped{ranks}", endTime=0.3*STEP, **more)
+    two; a viscous capsule with another viscosity inside and bending, and a
+    stiff one."""
+    more = {"cells": 4, "writeInterval": 3, "writeFormat": "binary",
+            "timePrecision": 10}
+    viscous = {**more, "deltaT": 0.1*STEP, "material":
+               f"bendingModulus {0.01*VISCOSITY}; "
+               f"innerViscosity {3*VISCOSITY}; {VISCOUS}"}
+    stiff = {**more, "deltaT": STEP, **STIFF}
+    for ranks, sheet in ((1, viscous), (2, viscous), (1, stiff), (2, stiff)):
+        name = f"{ranks}{'stiff' if sheet is stiff else ''}"
+        step = sheet["deltaT"]
+        whole = capsule(folder, f"whole{name}", endTime=6*step, **sheet)
+        stopped = capsule(folder, f"stopped{name}", endTime=3*step, **sheet)
         for case in (whole, stopped):
             if ranks > 1:
                 case.decompose(ranks, 1, 1)
             case.run("fsiPisoFoam", ranks=ranks)
-        stopped.control(startFrom="latestTime", endTime=0.6*STEP)
+        stopped.control(startFrom="latestTime", endTime=6*step)
         stopped.run("fsiPisoFoam", ranks=ranks)
         rank = "processor0" if ranks > 1 else ""
         files = [os.path.join(rank, results.times(
@@ -242,35 +209,8 @@ def check_restart(report, folder):
             for name in ("U", "p", "phi", "uniform/fsiObjects/capsule")]
         differ = [f for f in files if not filecmp.cmp(
             os.path.join(whole.path, f), os.path.join(stopped.path, f), False)]
-        report.check(f"restart on {ranks}: the same to the last bit",
+        report.check(f"restart on {name}: the same to the last bit",
                      not differ, str(differ))
-
-
-def check_refused(report, folder):
-    """What does not work is named."""
-    for name, more, words in (
-            ("coupling", {"properties": "coupling { type none; }"},
-             "is a membrane inside the fluid"),
-            ("kernel", {"properties": "membranes { kernel 5; }"}, "kernel"),
-            ("step", {"deltaT": 4, "endTime": 8}, "too long for the membranes"),
-            ("stretch", STIFF, "as they are stretched"),
-            ("order", {"time_scheme": "backward"}, "take Euler")):
-        case = capsule(folder, name, cells=2, **more)
-        try:
-            case.run("fsiPisoFoam")
-            text = "it ran"
-        except RuntimeError as error:
-            text = str(error)
-        report.check(f"refused: {name}", words in text, text)
-
-
-def check_adjusted(report, folder):
-    """Steps that adjust themselves get shorter as a membrane is stretched."""
-    case = capsule(folder, "adjusted", cells=2, adjustTimeStep="yes", **STIFF)
-    case.run("fsiPisoFoam")
-    first, *_, last = results.table(case.path, "global.csv")
-    report.check("steps follow the stretch", last["time"] > 0.98
-                 and last["deltaT"] < 0.9*first["deltaT"], str(last))
 
 
 def main(folder):
@@ -283,8 +223,9 @@ def main(folder):
     report.attempt("walls", check_walls, report, folder)
     report.attempt("adhesion", adhesion.check, report, folder)
     report.attempt("restart", check_restart, report, folder)
-    report.attempt("refused", check_refused, report, folder)
-    report.attempt("adjusted", check_adjusted, report, folder)
+    report.attempt("refused", steps.refused, report, folder)
+    report.attempt("stiff", steps.stiff, report, folder)
+    report.attempt("adjusted", steps.adjusted, report, folder)
 
 
 if __name__ == "__main__":

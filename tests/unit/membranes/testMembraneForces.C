@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedBodies.H"
+#include "implicitMembraneForces.H"
 #include "membraneForces.H"
 #include "samples/samples.H"
 #include "mathematicalConstants.H"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -73,6 +75,19 @@ std::unique_ptr<bodyGroup> movedCopies
         group->positions().data()[i] += in(random);
     }
     return group;
+}
+
+
+//- Size of the torque of forces on nodes
+scalar torqueOf(const Eigen::MatrixXd& x, const Eigen::MatrixXd& force)
+{
+    Eigen::RowVector3d sum(Eigen::RowVector3d::Zero());
+    for (Eigen::Index node = 0; node < x.rows(); ++node)
+    {
+        const Eigen::RowVector3d at(x.row(node)), f(force.row(node));
+        sum += at.cross(f);
+    }
+    return sum.norm();
 }
 
 } // End anonymous namespace
@@ -157,11 +172,11 @@ TEST(membraneForces, ratioOfTheStretches)
     const scalar atRest = shape->sheet()->stiffness(shape->nodeSpacing(), 1);
     const auto group = movedCopies(*shape, 1, 0);
     const auto& body = dynamic_cast<const immersedBodies&>(*group);
-    EXPECT_NEAR(body.stiffness()/atRest, 1, 1e-6);
+    EXPECT_NEAR(body.stiffness(0)/atRest, 1, 1e-6);
     group->positions().col(0) *= 2;
     group->positions().rightCols(2) *= std::sqrt(0.5);
     // K = 3 G_s counts by the power 0.75 of the ratio
-    EXPECT_NEAR(body.stiffness()/atRest, 0.5 + 0.5*std::pow(8, 0.375), 0.02);
+    EXPECT_NEAR(body.stiffness(0)/atRest, 0.5 + 0.5*std::pow(8, 0.375), 0.02);
 }
 
 
@@ -182,6 +197,99 @@ TEST(membraneForces, volumeIsKept)
             group->volume(copyi)/shape->referenceVolume(), 1, 1e-12
         );
     }
+}
+
+
+TEST(membraneForces, implicitOnesFollowTheStiffness)
+{
+    // Ten copies blown up by 2 %: the tension is that of the area, and the
+    // stiffness that leaves out a part of the geometric one is nearly exact.
+    // Of the copies every third one is made implicit
+    const auto shape = sheetOf
+    (
+        "type sphere; radius 2e-6;", "areaModulus 5e-3;", 0.5e-6
+    );
+    const auto group = movedCopies(*shape, 10, 0);
+    Eigen::MatrixXd& x = group->positions();
+    for (label i = 0; i < x.cols(); ++i)
+    {
+        const scalar centre = x.col(i).mean();
+        x.col(i).array() += 0.02*(x.col(i).array() - centre);
+    }
+    const membraneForces forces(*shape->sheet(), shape->mesh(), 0.5e-6);
+    implicitMembraneForces implicit(forces);
+    const labelList copies({0, 3, 6, 9});
+
+    // Forces before are those of nodes that were elsewhere
+    const auto moved = movedCopies(*shape, 10, 0.01*0.5e-6);
+    const auto atRest = movedCopies(*shape, 10, 0);
+    Eigen::MatrixXd f, last, beside;
+    forces.energy(x, &f);
+    forces.energy(x + moved->positions() - atRest->positions(), &last);
+    for (const scalar number : {0.0, 10.0})
+    {
+        const scalar softness = number/5e-3;
+        Eigen::MatrixXd found(last);
+        implicit.correct(copies, softness, x, x, found);
+        const Eigen::MatrixXd change(found - last);
+        const scalar small = 1e-4*0.5e-6/change.cwiseAbs().maxCoeff();
+        forces.energy(x + small*change, &beside);
+        const Eigen::MatrixXd residual
+        (
+            f - last - change - softness/small*(f - beside)
+        );
+        for (label i = 0; i < 10; ++i)
+        {
+            const auto ofCopy = [&](const Eigen::MatrixXd& values)
+            {
+                return values.middleCols(3*i, 3).norm();
+            };
+            if (i % 3)
+            {
+                EXPECT_EQ(ofCopy(change), 0);
+                continue;
+            }
+            const scalar whole = ofCopy(f - last);
+            EXPECT_LT(ofCopy(residual), (number > 0 ? 0.05 : 0.01)*whole);
+            EXPECT_GT(ofCopy(change), (number > 0 ? 0.01 : 0.99)*whole);
+            const scalar torque =
+                torqueOf(x.middleCols(3*i, 3), found.middleCols(3*i, 3));
+            EXPECT_LT(torque, 1e-9*2e-6*ofCopy(found));
+        }
+    }
+}
+
+
+TEST(membraneForces, onlyStiffCopiesAreImplicit)
+{
+    // One copy of two is stretched so that its modulus counts more
+    const auto shape = sheetOf
+    (
+        "type sphere; radius 2e-6;", "areaModulus 5e-4;", 0.5e-6
+    );
+    const auto group = movedCopies(*shape, 2, 0);
+    group->positions().col(3) *= 1.2;
+    auto& membranes = dynamic_cast<immersedBodies&>(*group);
+    const scalar resistance = 0.6e-9;
+
+    // A step in which the modulus at rest counts 30
+    const scalar dt =
+        30*resistance/shape->sheet()->stiffness(shape->nodeSpacing(), 1);
+    const membraneForceStep step{dt, resistance/0.5e-6, 0.5e-6, 34};
+    Eigen::MatrixXd explicitForce, force;
+    group->internalForce(explicitForce);
+    membranes.stepForces(step, force);
+    const Eigen::MatrixXd change(force - explicitForce);
+    EXPECT_EQ(change.leftCols(3).norm(), 0);
+    EXPECT_GT(change.rightCols(3).norm(), 0.1*explicitForce.norm());
+    const scalar longest = membranes.longestStep(step);
+    EXPECT_GT(longest, dt);
+    EXPECT_LT(longest, 100.0/30*dt);
+    const membraneForceStep tooLong
+    {
+        1.01*longest, step.viscosity, step.spacing, step.mostExplicit
+    };
+    EXPECT_THROW(membranes.stepForces(tooLong, force), Foam::error);
 }
 
 

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "membraneLanes.H"
+
+// * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::toLanes
+(
+    const Eigen::MatrixXd& values,
+    const labelUList& copies,
+    const scalar factor,
+    const bool relative,
+    double* lanes
+)
+{
+    constexpr label nLanes = membraneLaw::nLanes;
+    for (label lane = 0; lane < nLanes; ++lane)
+    {
+        const label copyi = copies[lane < copies.size() ? lane : 0];
+        for (label d = 0; d < 3; ++d)
+        {
+            const auto column = values.col(3*copyi + d);
+            const scalar origin = relative ? column[0] : 0;
+            for (label nodei = 0; nodei < column.size(); ++nodei)
+            {
+                lanes[nLanes*(3*nodei + d) + lane] =
+                    factor*(column[nodei] - origin);
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::fromLanes
+(
+    const double* lanes,
+    const labelUList& copies,
+    const scalar factor,
+    const bool add,
+    Eigen::MatrixXd& values
+)
+{
+    constexpr label nLanes = membraneLaw::nLanes;
+    forAll(copies, lane)
+    {
+        for (label d = 0; d < 3; ++d)
+        {
+            auto column = values.col(3*copies[lane] + d);
+            for (label nodei = 0; nodei < column.size(); ++nodei)
+            {
+                const scalar value =
+                    factor*lanes[nLanes*(3*nodei + d) + lane];
+                column[nodei] = add ? column[nodei] + value : value;
+            }
+        }
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A capsule in shear flow: steps that are too long, and what is refused."""
+
+import results
+from shearCase import STEP, STIFF, capsule
+
+# With two cells to the radius it is 99.8 at rest, where 100 is allowed
+LONG = {**STIFF, "deltaT": 0.0745, "endTime": 1}
+
+
+def refused(report, folder):
+    """What does not work is named."""
+    for name, more, words in (
+            ("coupling", {"properties": "coupling { type none; }"},
+             "is a membrane inside the fluid"),
+            ("kernel", {"properties": "membranes { kernel 5; }"}, "kernel"),
+            ("step", {"deltaT": 4, "endTime": 8}, "too long for the membranes"),
+            ("stretch", LONG, "as they are stretched"),
+            ("order", {"time_scheme": "backward"}, "take Euler")):
+        case = capsule(folder, name, cells=2, **more)
+        try:
+            case.run("fsiPisoFoam")
+            text = "it ran"
+        except RuntimeError as error:
+            text = str(error)
+        report.check(f"refused: {name}", words in text, text)
+
+
+def stiff(report, folder):
+    """A stiff sheet with implicit forces beside explicit ones with a quarter of
+    the step: what the step changes of a soft sheet is 2 % too."""
+    rows = []
+    for name, step in (("explicit", STEP/4), ("implicit", STEP)):
+        case = capsule(folder, name, deltaT=step, **STIFF)
+        case.run("fsiPisoFoam")
+        rows.append(results.table(case.path, "objects.csv")[-1])
+    exact, found = rows
+    for key, tolerance in (("deformation", 0.02), ("stretch", 0.02),
+                           ("phaseZ", 0.02)):
+        report.check(f"implicit forces: {key} as with a short step",
+                     abs(found[key]/exact[key] - 1) < tolerance,
+                     f"{found[key]:.4f} {exact[key]:.4f}")
+
+
+def adjusted(report, folder):
+    """Steps that adjust themselves get shorter as a membrane is stretched."""
+    case = capsule(folder, "adjusted", cells=2, adjustTimeStep="yes", **LONG)
+    case.run("fsiPisoFoam")
+    first, *_, last = results.table(case.path, "global.csv")
+    report.check("steps follow the stretch", last["time"] > 0.98
+                 and last["deltaT"] < 0.9*first["deltaT"], str(last))
