@@ -4,12 +4,35 @@
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::contactViscosity
+void Foam::fsi::checkRoughness
 (
-    const population& bodies,
-    const scalar viscosity
+    const dictionary& dict,
+    const population& bodies
 )
 {
+    bool any = false;
+    for (const bodyGroup& group : bodies.groups())
+    {
+        any = any || group.keepsShape();
+    }
+    if (dict.found("roughness") && !any)
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'roughness' in dictionary " << dict.name() << " is for"
+            << " rigid bodies, but no shape is rigid" << exit(FatalIOError);
+    }
+}
+
+
+void Foam::fsi::setFluid
+(
+    const population& bodies,
+    const fluidProperties& fluid,
+    const cartesianMesh& grid,
+    contactStep& step
+)
+{
+    const scalar viscosity = fluid.dynamicViscosity();
     scalar least = GREAT;
     for (const bodyGroup& group : bodies.groups())
     {
@@ -18,7 +41,13 @@ Foam::scalar Foam::fsi::contactViscosity
             least = min(least, group.shape().density());
         }
     }
-    return least < GREAT ? viscosity/least : 0;
+    if (least < GREAT)
+    {
+        step.rebound =
+            std::exp(-viscosity/least*step.dt/sqr(grid.spacing()));
+    }
+    step.film.viscosity = viscosity;
+    step.film.thickness = grid.thickness();
 }
 
 

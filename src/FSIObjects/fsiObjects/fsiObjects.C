@@ -113,7 +113,7 @@ Foam::fsi::fsiObjects::fsiObjects
         grid_,
         sides_,
         properties_,
-        fluid_.dynamicViscosity()
+        fluid_
     ),
     boundaries_(grid_, sides_, bodies_, properties_)
 {

@@ -101,6 +101,13 @@ void Foam::fsi::objectContact::setNodes()
             groups_[groupi].reset(new groupContact(group, contact_.range()));
         }
         groups_[groupi]->setNodes(surfaces(), objects[groupi], nodes_);
+        const scalar added =
+            contactFilm::addedMass(grid_.nDims())
+           *fluid_.density/group.shape().density();
+        for (const label objecti : objects[groupi])
+        {
+            nodes_.setAddedMass(objecti, added);
+        }
     }
 }
 
@@ -157,7 +164,7 @@ Foam::fsi::objectContact::objectContact
     const cartesianMesh& grid,
     const domainSides& sides,
     const dictionary& properties,
-    const scalar viscosity
+    const fluidProperties& fluid
 )
 :
     bodies_(bodies),
@@ -172,12 +179,12 @@ Foam::fsi::objectContact::objectContact
         sides.images()
     ),
     walls_(sides.walls()),
-    viscosity_
-    (
-        contactViscosity(bodies, viscosity)*(couplingType(properties) != "none")
-    ),
+    fluid_(fluid),
+    inFluid_(couplingType(properties) != "none"),
     nLimited_(0)
-{}
+{
+    checkRoughness(properties.subOrEmptyDict("contact"), bodies);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -193,7 +200,10 @@ void Foam::fsi::objectContact::calculate
     prepareSearch();
     const vectorField start(lessStandstill(surfaces().velocities(), step));
     contactStep times(step.tau, step.dt, &start);
-    times.rebound = keptSpeed(step.dt);
+    if (inFluid_)
+    {
+        setFluid(bodies_, fluid_, grid_, times);
+    }
     contact_.calculate
     (
         surfaces(),

@@ -19,7 +19,11 @@ static contactScales readScales
     const scalar youngsModulus
 )
 {
-    checkKeys(dict, {"range", "margin", "minimumGap", "search", "law"});
+    checkKeys
+    (
+        dict,
+        {"range", "margin", "minimumGap", "roughness", "search", "law"}
+    );
     checkSubDicts(dict, {"search", "law"});
     const scalar range = contact::readRange(dict, spacing);
     return {spacing, range, youngsModulus};
@@ -46,12 +50,25 @@ Foam::fsi::contact::contact
     (
         readScalarBetween(dict, "minimumGap", 0.1, 1e-6, 20)*spacing
     ),
+    roughness_(readPositive(dict, "roughness", minimumGap_)),
     images_(images),
     finder_(dict.subOrEmptyDict("search"), images_),
     law_(contactLaw::New(dict.subOrEmptyDict("law"), scales_)),
     defence_(minimumGap_, margin_, 0.5*spacing, nDims, images_),
     ranges_(scales_.range, min(minimumGap_, leastRange*spacing))
 {
+    if
+    (
+        roughness_ > minimumGap_
+     || (dict.found("roughness") && !law_->rigidTouch())
+    )
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'roughness' in dictionary " << dict.name() << " is "
+            << roughness_ << " m but must be at most minimumGap, "
+            << minimumGap_ << " m, and needs rigid bodies that touch: the law"
+            << " 'elastic' without an entry 'stiffness'" << exit(FatalIOError);
+    }
     if (images_.cyclic() && (needsMedialAxis() || needsInternalForces()))
     {
         FatalIOErrorInFunction(dict)
@@ -197,6 +214,7 @@ const Foam::fsi::contactStatistics& Foam::fsi::contact::calculate
 {
     step_ = step;
     step_.rebound *= law_->restitution();
+    step_.film.roughness = roughness_;
     measure(surfaces, bodies, walls, medialAxis);
 
     force.setSize(surfaces.points().size());

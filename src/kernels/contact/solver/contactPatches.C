@@ -87,9 +87,10 @@ Foam::scalar Foam::fsi::contactPatches::patch::relax
             min(-before_, -after)
           - (step.tau != step.dt ? mag(after - before_) : 0);
         // Below the spread it is the speed of facets that roll
+        const scalar back = step.rebound*(speed - loss_) - loss_;
         least_ =
-            step.rebound > 0 && speed > spread(problem, pairs_, before_)
-          ? max(step.rebound*speed - still_, floor)
+            back > 0 && speed > spread(problem, pairs_, before_)
+          ? max(back - still_, floor)
           : floor;
     }
     // Once they touch they do so until the sweeps end, or these might not end
@@ -107,15 +108,10 @@ void Foam::fsi::contactPatches::setStart
 )
 {
     const vectorField& v = problem.surfaces.velocities();
-    scalar sum = 0;
-    for (const auto& each : p.pairs_)
-    {
-        sum += each.second;
-    }
     for (auto& each : p.pairs_)
     {
         const contactPair& pair = problem.found.pairs[each.first];
-        each.second /= sum;
+        each.second /= p.second_;
         const scalar before = problem.normalVelocity(pair, v);
         p.before_ += each.second*before;
         if (problem.step.start)
@@ -132,9 +128,17 @@ Foam::scalar Foam::fsi::contactPatches::complianceOf
 (
     const contactProblem& problem,
     const sharedEdges& shared,
-    const patch& p
+    const patch& p,
+    const bool withFluid
 )
 {
+    const auto part = [&](const label objecti)
+    {
+        return
+            withFluid && objecti >= 0
+          ? 1/(1 + problem.bodies[objecti].addedMass)
+          : 1.0;
+    };
     const surfaceSet& surfaces = problem.surfaces;
     const UList<contactPair>& pairs = problem.found.pairs;
     const contactPair& first = pairs[p.pairs_[0].first];
@@ -153,21 +157,45 @@ Foam::scalar Foam::fsi::contactPatches::complianceOf
                     each.second
                    *problem.bodies.share(surfaces, objecti, pair, k);
             }
-            sum += problem.bodies[objecti].coefficients[k]*sqr(share);
+            sum +=
+                part(objecti)*problem.bodies[objecti].coefficients[k]
+               *sqr(share);
         }
     }
     if (!problem.exchange)
     {
         return sum;
     }
+    const scalar guest = part(problem.bodies[own].guest ? own : first.other);
     for (const auto& a : p.pairs_)
     {
         for (const auto& b : p.pairs_)
         {
-            sum += a.second*b.second*shared.response(a.first, b.first);
+            sum +=
+                guest*a.second*b.second*shared.response(a.first, b.first);
         }
     }
     return sum;
+}
+
+
+void Foam::fsi::contactPatches::setLoss
+(
+    const contactProblem& problem,
+    const sharedEdges& shared,
+    patch& p
+)
+{
+    const contactFilm& film = problem.step.film;
+    if (film.below(problem.touching))
+    {
+        const label nDims = problem.surfaces.nDims();
+        const scalar radius =
+            film.radius(p.second_, p.third_, problem.patchDepth, nDims);
+        p.loss_ =
+            film.impulse(radius, problem.touching, nDims)
+           *complianceOf(problem, shared, p, true);
+    }
 }
 
 
@@ -204,7 +232,10 @@ void Foam::fsi::contactPatches::addPatches
             const scalar part = 1 - (pair.gap - first.gap)/problem.patchDepth;
             if (part > 0)
             {
-                p.pairs_.push_back({pairi, problem.area(pair)*sqr(part)});
+                const scalar weight = problem.area(pair)*sqr(part);
+                p.pairs_.push_back({pairi, weight});
+                p.second_ += weight;
+                p.third_ += part*weight;
             }
         }
         of_[firsti] = patches_.size();
@@ -256,7 +287,8 @@ void Foam::fsi::contactPatches::set
     }
     for (patch& p : patches_)
     {
-        p.compliance_ = complianceOf(problem, shared, p);
+        p.compliance_ = complianceOf(problem, shared, p, false);
+        setLoss(problem, shared, p);
     }
 }
 
