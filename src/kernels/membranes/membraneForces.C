@@ -119,13 +119,12 @@ Foam::scalar Foam::fsi::membraneForces::largestRatio
     const label copyi
 ) const
 {
-    // The unit of length drops out
     scalar most = 1;
     const scalar* x = positions.col(3*copyi).data();
     const auto place = [&](const label nodei)
     {
         const scalar* at = x + nodei;
-        return point(at[0], at[nNodes_], at[2*nNodes_]);
+        return point(at[0], at[nNodes_], at[2*nNodes_])/unit_;
     };
     for (const membraneTriangle& t : triangles_)
     {
@@ -135,9 +134,10 @@ Foam::scalar Foam::fsi::membraneForces::largestRatio
             place(t.nodes[0]), place(t.nodes[1]), place(t.nodes[2]),
             half, ofArea
         );
-        most = max(most, sqr(half)/max(ofArea, VSMALL));
+        const scalar larger = half + sqrt(max(sqr(half) - ofArea, scalar(0)));
+        most = max(most, larger/sqrt(max(ofArea, scalar(1))));
     }
-    return sqrt(most) + sqrt(most - 1);
+    return most;
 }
 
 
