@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "fluidStep.H"
+#include "evaluateCoupled.H"
 #include "exchangeFields.H"
 #include "fieldChecks.H"
 #include "motionCheck.H"
@@ -62,6 +63,8 @@ Foam::fsi::fluidStep::fluidStep
     flux_(geometry_, faces_, rule_),
     level_(p_, objects.grid())
 {
+    evaluateCoupled(U_);
+    evaluateCoupled(p_);
     immersedMomentum::interpolation(phi_);
     stockInput::checkFluid(U_.mesh(), flow.law);
     updateGeometry();

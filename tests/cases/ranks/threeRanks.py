@@ -8,11 +8,13 @@ restart on three ranks is the run without a stop to the last bit.
     threeRanks.py FOLDER
 """
 
+import math
 import os
 import sys
 
 import anyRanks
 import fsiCase
+import results
 import smallCase
 
 
@@ -38,6 +40,29 @@ def check_restart(report, folder):
                      whole and not differ, differ)
 
 
+def check_more_ranks(report, folder):
+    """A run on one rank goes on on three, which cut the cyclic sides."""
+    ends = []
+    for name, n in (("one", 1), ("more", 3)):
+        case = fsiCase.Case(
+            os.path.join(folder, name), cells=(24, 24), cyclic="xy",
+            velocity="(1 0.5 0)", shapes=smallCase.SHAPES,
+            placements=smallCase.PLACEMENTS, deltaT=0.005, endTime=0.02,
+            writeInterval=4, writePrecision=17, startFrom="latestTime",
+            p_tolerance=1e-11, U_tolerance=1e-12).set_up()
+        case.run("fsiPisoFoam")
+        case.control(endTime=0.04)
+        if n > 1:
+            case.decompose(n, 1)
+        case.run("fsiPisoFoam", ranks=n)
+        if n > 1:
+            case.run("reconstructPar", "-latestTime")
+        ends.append(results.state(case.path, "0.04"))
+    error = max(math.dist(p, q) for i in ends[0]
+                for p, q in zip(ends[0][i][1], ends[1][i][1]))
+    report.check("a run goes on on more ranks", error < 1e-10, f"{error:.1e}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -46,6 +71,7 @@ def main(folder):
     report.attempt("crowd", anyRanks.compare, report, folder,
                    anyRanks.crowd, [(2, 2, 1), (3, 2, 1)])
     report.attempt("restart", check_restart, report, folder)
+    report.attempt("more ranks", check_more_ranks, report, folder)
 
 
 if __name__ == "__main__":
