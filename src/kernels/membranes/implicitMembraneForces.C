@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -23,6 +24,15 @@ static constexpr label nLanes = membraneLaw::nLanes;
 static constexpr scalar tolerance = 2e-2;
 
 static constexpr label mostIterations = 30;
+
+
+//- One value for all lanes
+static std::array<double, nLanes> all(const scalar value)
+{
+    std::array<double, nLanes> values;
+    values.fill(value);
+    return values;
+}
 
 
 //- Inner product of each lane
@@ -126,6 +136,7 @@ static void addStiffness
     }
 }
 
+
 //- Change the forces on the nodes of a copy as little as possible so that they
 //  have no torque
 template<class Positions, class Forces>
@@ -155,12 +166,12 @@ static void removeTorque(const Positions& x, Forces&& force)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::implicitMembraneForces::solve(const double* softness)
+void Foam::fsi::implicitMembraneForces::solve(const scalar softness)
 {
-    double* r = residual_.data();
-    double* p = direction_.data();
+    const double* r = residual_.data();
+    const double* p = direction_.data();
     std::fill_n(change_.data(), size_, 0.0);
-    std::copy_n(r, size_, p);
+    std::copy_n(r, size_, direction_.data());
     double square[nLanes], enough[nLanes];
     products(size_, r, r, square);
     for (label lane = 0; lane < nLanes; ++lane)
@@ -169,41 +180,43 @@ void Foam::fsi::implicitMembraneForces::solve(const double* softness)
     }
     for (label iteration = 0; iteration < mostIterations; ++iteration)
     {
-        double factor[nLanes];
+        // Lanes that are done stay as they are
+        bool active[nLanes];
+        bool any = false;
+        for (label lane = 0; lane < nLanes; ++lane)
+        {
+            active[lane] = square[lane] > enough[lane];
+            any = any || active[lane];
+        }
+        if (!any)
+        {
+            return;
+        }
         std::fill_n(image_.data(), size_, 0.0);
         addStiffness
         (
             forces_.areaStiffness(), forces_.triangles(),
             x_.data(), p, image_.data()
         );
-        addScaled(size_, p, softness, image_.data(), image_.data());
+        addScaled(size_, p, all(softness).data(), image_.data(), image_.data());
 
-        // Lanes that are done stay as they are
         double curvature[nLanes], along[nLanes], back[nLanes];
         products(size_, p, image_.data(), curvature);
-        bool any = false;
         for (label lane = 0; lane < nLanes; ++lane)
         {
-            const bool active =
-                square[lane] > enough[lane];
-            any = any || active;
-            along[lane] = active ? square[lane]/curvature[lane] : 0;
+            along[lane] = active[lane] ? square[lane]/curvature[lane] : 0;
             back[lane] = -along[lane];
         }
-        if (!any)
-        {
-            return;
-        }
         addScaled(size_, change_.data(), along, p, change_.data());
-        addScaled(size_, r, back, image_.data(), r);
-        double next[nLanes];
+        addScaled(size_, r, back, image_.data(), residual_.data());
+        double next[nLanes], factor[nLanes];
         products(size_, r, r, next);
         for (label lane = 0; lane < nLanes; ++lane)
         {
             factor[lane] = next[lane]/max(square[lane], VSMALL);
             square[lane] = next[lane];
         }
-        addScaled(size_, r, factor, p, p);
+        addScaled(size_, r, factor, p, direction_.data());
     }
 }
 
@@ -256,12 +269,6 @@ void Foam::fsi::implicitMembraneForces::correct
 )
 {
     const scalar ofForce = forces_.modulus()*forces_.unit();
-    double inUnits[nLanes], minus[nLanes];
-    for (label lane = 0; lane < nLanes; ++lane)
-    {
-        inUnits[lane] = softness*forces_.modulus();
-        minus[lane] = -1;
-    }
     forLaneBlocks(copies, [&](const labelUList& block)
     {
         double energies[nLanes] = {};
@@ -269,8 +276,11 @@ void Foam::fsi::implicitMembraneForces::correct
         toLanes(force, block, 1/ofForce, false, change_.data());
         std::fill_n(f_.data(), size_, 0.0);
         forces_.addForces(x_.data(), f_.data(), energies);
-        addScaled(size_, f_.data(), minus, change_.data(), residual_.data());
-        solve(inUnits);
+        addScaled
+        (
+            size_, f_.data(), all(-1).data(), change_.data(), residual_.data()
+        );
+        solve(softness*forces_.modulus());
         fromLanes(change_.data(), block, ofForce, true, force);
     });
     for (const label copyi : copies)
