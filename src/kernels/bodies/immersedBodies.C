@@ -10,8 +10,8 @@ Foam::fsi::immersedBodies::immersedBodies(const shapeTemplate& shape)
 :
     bodyGroup(shape),
     forces_(*shape.sheet(), shape.mesh(), shape.nodeSpacing()),
-    implicit_(forces_),
-    response_(shape)
+    response_(shape),
+    implicit_(forces_)
 {
     if (shape.sheet()->membraneViscosity > 0)
     {
