@@ -17,7 +17,7 @@ Foam::fsi::membraneForceStep Foam::fsi::membraneStepOf
         deltaT,
         objects.fluid().dynamicViscosity(),
         objects.grid().spacing(),
-        immersedMembranes::readKernel(objects) == 2 ? scalar(17) : scalar(34)
+        immersedMembranes::readKernel(objects) == 2 ? scalar(8.5) : scalar(17)
     };
 }
 

@@ -36,10 +36,11 @@ Foam::scalar Foam::fsi::immersedBodies::explicitPart
     const membraneForceStep& step
 ) const
 {
+    // They do not grow with the stretch, and may have twice as much
     const scalar spacing = shape().nodeSpacing();
     return
         step.number(shape().sheet()->explicitStiffness(spacing))
-       /step.mostExplicit;
+       /(2*step.mostExplicit);
 }
 
 

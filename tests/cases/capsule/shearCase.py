@@ -10,7 +10,7 @@ VISCOSITY = 20
 STEP = 0.02
 
 # A sheet that hardly changes its area. With five cells to the radius and a step
-# of 0.02 dt a/(mu h) is 67, where explicit forces need 34
+# of 0.02 dt a/(mu h) is 67, where explicit forces need 17
 STIFF = {"law": "Skalak", "material": f"areaModulus {200*VISCOSITY/0.3};"}
 
 
