@@ -137,6 +137,20 @@ static void addStiffness
 }
 
 
+//- m mu of a node [1/m]
+static scalar mobilityOf(const membraneForces& forces)
+{
+    scalar area = 0;
+    for (const membraneTriangle& t : forces.triangles())
+    {
+        area += t.area;
+    }
+    const scalar radius =
+        forces.unit()*sqrt(area/(4*constant::mathematical::pi));
+    return forces.nNodes()/(290*radius);
+}
+
+
 //- Change the forces on the nodes of a copy as little as possible so that they
 //  have no torque
 template<class Positions, class Forces>
@@ -195,7 +209,7 @@ void Foam::fsi::implicitMembraneForces::solve(const scalar softness)
         std::fill_n(image_.data(), size_, 0.0);
         addStiffness
         (
-            forces_.areaStiffness(), forces_.triangles(),
+            forces_.law().ofSkalak(), forces_.triangles(),
             x_.data(), p, image_.data()
         );
         addScaled(size_, p, all(softness).data(), image_.data(), image_.data());
@@ -229,7 +243,8 @@ Foam::fsi::implicitMembraneForces::implicitMembraneForces
 )
 :
     forces_(forces),
-    size_(3*nLanes*forces.nNodes())
+    size_(3*nLanes*forces.nNodes()),
+    mobility_(mobilityOf(forces))
 {
     for
     (
@@ -245,19 +260,6 @@ Foam::fsi::implicitMembraneForces::implicitMembraneForces
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::fsi::implicitMembraneForces::mobility() const
-{
-    scalar area = 0;
-    for (const membraneTriangle& t : forces_.triangles())
-    {
-        area += t.area;
-    }
-    const scalar radius =
-        forces_.unit()*sqrt(area/(4*constant::mathematical::pi));
-    return forces_.nNodes()/(290*radius);
-}
-
 
 void Foam::fsi::implicitMembraneForces::correct
 (

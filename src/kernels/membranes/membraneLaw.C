@@ -40,10 +40,10 @@ Foam::autoPtr<Foam::fsi::membraneLaw> Foam::fsi::membraneLaw::New
 Foam::scalar Foam::fsi::membraneLaw::readAreaModulus
 (
     const dictionary& dict,
-    const scalar shear,
     const scalar least
 )
 {
+    const scalar shear = readPositive(dict, "shearModulus");
     const scalar area = readPositive(dict, "areaModulus", 3*shear);
     if (area < least*shear)
     {

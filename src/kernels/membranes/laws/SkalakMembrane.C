@@ -75,19 +75,13 @@ Foam::fsi::SkalakMembrane::SkalakMembrane(const dictionary& dict)
     membraneLaw
     (
         readPositive(dict, "shearModulus"),
+        readAreaModulus(dict, 1),
         {"shearModulus", "areaModulus"}
-    ),
-    ratio_(0.5*(readAreaModulus(dict, modulus(), 1) - 1))
+    )
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::fsi::SkalakMembrane::areaModulus() const
-{
-    return 1 + 2*ratio_;
-}
-
 
 void Foam::fsi::SkalakMembrane::addForces
 (
@@ -97,7 +91,7 @@ void Foam::fsi::SkalakMembrane::addForces
     double* energy
 ) const
 {
-    addSkalakForces(ratio_, triangles, x, force, energy);
+    addSkalakForces(ofSkalak(), triangles, x, force, energy);
 }
 
 

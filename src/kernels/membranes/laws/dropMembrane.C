@@ -68,17 +68,11 @@ static void addDropForces
 
 Foam::fsi::dropMembrane::dropMembrane(const dictionary& dict)
 :
-    membraneLaw(readPositive(dict, "tension"), {"tension"})
+    membraneLaw(readPositive(dict, "tension"), 1, {"tension"})
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::fsi::dropMembrane::areaModulus() const
-{
-    return 1;
-}
-
 
 void Foam::fsi::dropMembrane::addForces
 (

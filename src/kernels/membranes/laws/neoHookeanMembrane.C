@@ -69,17 +69,11 @@ static void addNeoHookeanForces
 
 Foam::fsi::neoHookeanMembrane::neoHookeanMembrane(const dictionary& dict)
 :
-    membraneLaw(readPositive(dict, "shearModulus"), {"shearModulus"})
+    membraneLaw(readPositive(dict, "shearModulus"), 3, {"shearModulus"})
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::fsi::neoHookeanMembrane::areaModulus() const
-{
-    return 3;
-}
-
 
 void Foam::fsi::neoHookeanMembrane::addForces
 (

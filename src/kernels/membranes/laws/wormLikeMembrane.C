@@ -143,19 +143,13 @@ Foam::fsi::wormLikeMembrane::wormLikeMembrane(const dictionary& dict)
     membraneLaw
     (
         readPositive(dict, "shearModulus"),
+        readAreaModulus(dict, 2),
         {"shearModulus", "areaModulus"}
-    ),
-    ofTriangles_(readAreaModulus(dict, modulus(), 2) - 2)
+    )
 {}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::scalar Foam::fsi::wormLikeMembrane::areaModulus() const
-{
-    return 2 + ofTriangles_;
-}
-
 
 void Foam::fsi::wormLikeMembrane::addForces
 (
@@ -165,7 +159,7 @@ void Foam::fsi::wormLikeMembrane::addForces
     double* energy
 ) const
 {
-    addNetworkForces(ofTriangles_, triangles, x, force, energy);
+    addNetworkForces(areaModulus() - 2, triangles, x, force, energy);
 }
 
 
