@@ -90,6 +90,15 @@ Foam::fsi::immersedMembranes::immersedMembranes
         transfer_.reset(new staggeredTransfer(faces_->lattice(), width_));
     }
     const dictionary& dict = objects.properties().subOrEmptyDict("membranes");
+    const scalar h = geometry.grid().spacing();
+    const scalar least = h*readScalarBetween(dict, "minimumGap", 0.1, 0, 1);
+    if (any && least > 0 && geometry.grid().nDims() == 3)
+    {
+        apart_.reset
+        (
+            new membraneDefence(bodies_, geometry.grid().period(), h, least)
+        );
+    }
     if (any && dict.found("contact"))
     {
         contact_.reset(new membraneContact(objects, dict.subDict("contact")));
@@ -106,7 +115,7 @@ Foam::fsi::immersedMembranes::immersedMembranes
 Foam::label Foam::fsi::immersedMembranes::readKernel(const fsiObjects& objects)
 {
     const dictionary dict(objects.properties().subOrEmptyDict("membranes"));
-    checkKeys(dict, {"kernel", "contact"});
+    checkKeys(dict, {"kernel", "minimumGap", "contact"});
     checkSubDicts(dict, {"contact"});
     return readBetween(dict, "kernel", 3, 2, 4);
 }
@@ -236,6 +245,16 @@ void Foam::fsi::immersedMembranes::setVelocities
             (
                 deltaT, v[groupi]
             );
+        }
+    }
+    if (apart_.valid())
+    {
+        apart_->limit(deltaT, v);
+    }
+    forAll(velocity, groupi)
+    {
+        if (!bodies_.groups()[groupi].hasWalls())
+        {
             limit(groupi);
             carry(groupi, v[groupi]);
         }
