@@ -27,32 +27,19 @@ void Foam::fsi::membraneDefence::limit
     nodeLayout::groupNodal& v
 )
 {
-    const objectRanks& ranks = bodies_.ranks();
-    gaps_.find(bodies_.surfaces(), bodies_.size(), reach_);
-    if (ranks.largest(gaps_.pairs().size()) == 0)
+    // Guests included: a rank has all pairs of the nodes that it owns
+    const surfaceSet& surfaces = bodies_.surfaces();
+    gaps_.find(surfaces, surfaces.size(), reach_);
+    if (bodies_.ranks().largest(gaps_.pairs().size()) == 0)
     {
         return;
     }
     vectorField ofNodes;
     bodies_.layout().toSurface(v, ofNodes);
-    vectorField changes(ofNodes.size()), sum(ofNodes.size(), Zero);
-    for (label i = 0; i < nSweeps; ++i)
-    {
-        changes = Zero;
-        gaps_.addChanges
-        (
-            bodies_.surfaces(), deltaT, least_, ofNodes, changes
-        );
-        if (!ranks.shared())
-        {
-            ranks.collect({objectRanks::values::ofNodes(changes)});
-            ranks.spread({objectRanks::values::ofNodes(changes)});
-        }
-        ofNodes += changes;
-        sum += changes;
-    }
+    vectorField changes(ofNodes.size(), Zero);
+    gaps_.addChanges(surfaces, deltaT, least_, ofNodes, changes);
     nodeLayout::groupNodal inGroups;
-    bodies_.layout().toGroups(sum, inGroups);
+    bodies_.layout().toGroups(changes, inGroups);
     nodeLayout::add(inGroups, v);
 }
 

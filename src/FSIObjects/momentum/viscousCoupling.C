@@ -117,8 +117,7 @@ void Foam::fsi::viscousCoupling::overRelax(nodeLayout::groupNodal& v)
 
 void Foam::fsi::viscousCoupling::setNodes(const nodeLayout::groupNodal& v)
 {
-    bodies_.layout().toSurface(v, nodalVelocity_, false);
-    bodies_.ranks().spread({objectRanks::values::ofWalls(nodalVelocity_)});
+    bodies_.layout().wallsToSurface(v, nodalVelocity_);
 }
 
 

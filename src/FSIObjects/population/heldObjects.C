@@ -202,7 +202,7 @@ void Foam::fsi::heldObjects::updateSurfaces()
     }
     ranks_.spread
     ({
-        objectRanks::values::ofNodes(surfaces_.velocities()),
+        objectRanks::values::ofWalls(surfaces_.velocities()),
         objectRanks::values::ofNodes(surfaces_.points())
     });
 }

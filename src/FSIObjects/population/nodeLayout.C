@@ -2,6 +2,8 @@
 
 #include "nodeLayout.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::nodeLayout::nodeLayout(const direction nDims)
@@ -165,6 +167,26 @@ void Foam::fsi::nodeLayout::toSurface
     if (ranks_ && spreads)
     {
         ranks_->spread({objectRanks::values::ofNodes(surface)});
+    }
+}
+
+
+void Foam::fsi::nodeLayout::wallsToSurface
+(
+    const groupNodal& values,
+    vectorField& surface
+) const
+{
+    toSurface(values, surface, false);
+    if (ranks_)
+    {
+        const label own =
+            groups_.empty()
+          ? 0
+          : groups_.last().start
+          + groups_.last().nBoundary*groups_.last().nCopies;
+        std::fill(surface.begin() + own, surface.end(), vector::zero);
+        ranks_->spread({objectRanks::values::ofWalls(surface)});
     }
 }
 

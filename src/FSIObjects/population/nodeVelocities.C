@@ -24,7 +24,7 @@ const Foam::vectorField& Foam::fsi::nodeVelocities::surface() const
 {
     if (!current_)
     {
-        layout_.toSurface(groups_, surface_);
+        layout_.wallsToSurface(groups_, surface_);
         current_ = true;
     }
     return surface_;
