@@ -8,9 +8,9 @@ from this list of places and directions.
 Bounds: cells that hook into each other are drawn to needles of a stretch of 6
 and more; runs without such cells stayed below 4.6, and areas within 3 % (a
 prototype with 5 uN/m for the shear modulus, the only source; the long runs have
-it too, the preset 2.6). The area changes by a tension over the area modulus. The
-real one, 0.5 N/m, needs too short steps; the long runs have 2 mN/m, four times
-the preset's.
+it too, the preset 2.6). The area changes by a tension over the area modulus,
+0.5 N/m for a real cell, which needs too short steps; the long runs have 2 mN/m,
+four times the preset's.
 The viscosity is tau h/(3 mu U) with the stress tau at the plates, half of their
 distance h and the mean velocity U. No published value is for this start: the
 finest mesh is the reference, and 10 and 5 % are allowed, as for rigid bodies in
