@@ -280,7 +280,10 @@ void Foam::fsi::motionCheck::checkFilling(const scalar viscosity) const
                 << "Entry 'innerViscosity' of shape " << group.shape().name()
                 << " is " << membrane->innerViscosity << ", below 0.3 of the"
                 << " fluid's viscosity, " << viscosity << " Pa s: the skin does"
-                << " not go round as it should" << nl << endl;
+                << " not go round as it should" << nl
+                << "    A shearModulus in place of stretchingModulus makes it"
+                << " a sheet inside the fluid, see the user guide" << nl
+                << endl;
         }
     }
 }

@@ -180,7 +180,7 @@ void Foam::fsi::cutConvection::addLoss
     {
         const label celli = cells_[i];
         const label here = haloIndex[celli];
-        face[0] = levelSet.nearestFace()[here];
+        face[0] = levelSet.nearestFace(here);
         if (face[0] >= 0 && levelSet.cellDistance()[here] < reach)
         {
             const surfacePlace place

@@ -28,7 +28,7 @@ void Foam::fsi::setSolidVelocity
             continue;
         }
         const label here = geometry.grid().haloIndex()[celli];
-        const label facei = levelSet.nearestFace()[here];
+        const label facei = levelSet.nearestFace(here);
         if (facei >= 0)
         {
             surfaces.nearestOnFace(facei, C[celli], weights);

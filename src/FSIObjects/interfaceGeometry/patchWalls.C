@@ -25,8 +25,8 @@ Foam::fsi::wallFace Foam::fsi::patchWalls::closedPart
 
     const label here = grid_.haloIndex()[celli];
     const label there = here + grid_.stepAcross(facei);
-    const label nearHere = levelSet.nearestFace()[here];
-    const label nearThere = levelSet.nearestFace()[there];
+    const label nearHere = levelSet.nearestFace(here);
+    const label nearThere = levelSet.nearestFace(there);
     if (nearHere >= 0 || nearThere >= 0)
     {
         label found;

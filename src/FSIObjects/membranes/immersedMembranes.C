@@ -47,8 +47,9 @@ void Foam::fsi::immersedMembranes::carry
         if (passes_[bodies_.objectIndex(groupi, copyi)])
         {
             const vector mean(group.velocity(copyi));
-            v.middleCols(3*copyi, 3).rowwise() =
-                Eigen::RowVector3d(mean.x(), mean.y(), mean.z());
+            const label nDims = bodies_.nDims();
+            v.middleCols(nDims*copyi, nDims).rowwise() =
+                Eigen::RowVector3d(mean.x(), mean.y(), mean.z()).head(nDims);
         }
     }
 }

@@ -16,13 +16,18 @@ void Foam::fsi::immersedMembranes::addWeight
     (
         (group.shape().density() - fluid_.density)*gravity_
     );
-    const Eigen::Vector3d along(weight.x(), weight.y(), weight.z());
+    const shapeTemplate& shape = group.shape();
+    const label nDims = shape.nDims();
+    const Eigen::VectorXd along
+    (
+        Eigen::Vector3d(weight.x(), weight.y(), weight.z()).head(nDims)
+    );
     for (label i = 0; i < group.size() && mag(weight) > 0; ++i)
     {
-        const Eigen::MatrixXd x(group.positions().middleCols(3*i, 3));
-        Eigen::MatrixXd area(Eigen::MatrixXd::Zero(x.rows(), 3));
-        bodyVolume::addGradient(group.shape().faces(), 1, x, area);
-        force.middleCols(3*i, 3) += (x*along).asDiagonal()*area;
+        const Eigen::MatrixXd x(group.positions().middleCols(nDims*i, nDims));
+        Eigen::MatrixXd area(Eigen::MatrixXd::Zero(x.rows(), nDims));
+        bodyVolume::addGradient(shape.faces(), shape.thickness(), x, area);
+        force.middleCols(nDims*i, nDims) += (x*along).asDiagonal()*area;
     }
 }
 

@@ -53,7 +53,7 @@ Foam::fsi::membraneContact::membraneContact
     ),
     images_(objects.images()),
     finder_(searchEntries(), images_),
-    surfaces_(3)
+    surfaces_(objects.bodies().nDims())
 {
     if (!isA<potentialContact>(law_()))
     {
@@ -80,7 +80,8 @@ Foam::fsi::membraneContact::membraneContact
         {
             areas_[groupi] = contactBodies::nodeAreas
             (
-                shape.mesh().points, shape.faces(), 3, 1
+                shape.mesh().points, shape.faces(),
+                shape.nDims(), shape.thickness()
             );
         }
     }
@@ -148,7 +149,7 @@ void Foam::fsi::membraneContact::add
         const vector f(0.5*s*law().pressure(pair.gap)*pair.normal);
         nodal[pair.node] += f;
         const surfaceFace& face = surfaces_.faces()[pair.face];
-        for (label i = 0; i < 3; ++i)
+        for (label i = 0; i < surfaces_.nNodes(); ++i)
         {
             nodal[face[i]] -= pair.weights[i]*f;
         }

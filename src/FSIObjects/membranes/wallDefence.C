@@ -50,7 +50,7 @@ void Foam::fsi::wallDefence::forNearNodes
         {
             point x(mine.points()[i]);
             const label here = cellOf(x);
-            face[0] = here < 0 ? -1 : levelSet_.nearestFace()[here];
+            face[0] = here < 0 ? -1 : levelSet_.nearestFace(here);
             if (face[0] < 0 || levelSet_.cellDistance()[here] > far)
             {
                 continue;
@@ -112,11 +112,12 @@ void Foam::fsi::wallDefence::limit
     Eigen::MatrixXd& v
 ) const
 {
-    for (Eigen::Index column = 0; column < v.cols(); column += 3)
+    const label nDims = grid_.nDims();
+    for (Eigen::Index column = 0; column < v.cols(); column += nDims)
     {
-        const auto n = normal_[groupi].middleCols(column, 3);
-        const auto least = least_[groupi].middleCols(column, 3);
-        auto ofCopy = v.middleCols(column, 3);
+        const auto n = normal_[groupi].middleCols(column, nDims);
+        const auto least = least_[groupi].middleCols(column, nDims);
+        auto ofCopy = v.middleCols(column, nDims);
         const Eigen::VectorXd lacking
         (
             (least - ofCopy).cwiseProduct(n).rowwise().sum().cwiseMax(0)

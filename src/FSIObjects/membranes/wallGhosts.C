@@ -244,7 +244,7 @@ void Foam::fsi::wallGhosts::bringBack
         {
             continue;
         }
-        face[0] = levelSet_.nearestFace()[haloIndex[celli]];
+        face[0] = levelSet_.nearestFace(haloIndex[celli]);
         if (face[0] >= 0 && magSqr(force[celli]) > 0)
         {
             const point& C = geometry_.grid().mesh().C()[celli];

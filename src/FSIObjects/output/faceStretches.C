@@ -14,16 +14,19 @@ Foam::fsi::faceStretches::faceStretches
 {
     const shapeTemplate& shape = objects.shape(objects.objectGroup(objecti));
     const surfaceSet& surfaces = objects.surfaces();
-    const pointField& x = surfaces.points();
-    const label start = surfaces.faceStart()[objecti];
+    const SubList<point> x
+    (
+        surfaces.points(),
+        shape.nBoundaryNodes(),
+        surfaces.pointStart()[objecti]
+    );
     larger.resize(shape.faces().size());
     smaller.resize(larger.size());
     forAll(larger, i)
     {
-        const surfaceFace& f = surfaces.faces()[start + i];
         membraneTriangle(shape.faces()[i], shape.points()).stretches
         (
-            x[f[0]], x[f[1]], x[f[2]], larger[i], smaller[i]
+            x, larger[i], smaller[i]
         );
     }
 }

@@ -42,8 +42,25 @@ static void setShapeNames(polyData& data, const population& objects)
 }
 
 
+//- Values at the nodes of a shape from those of the segments
+static scalarField meanOfSegments
+(
+    const shapeTemplate& shape,
+    const scalarField& values
+)
+{
+    scalarField means(values.size(), Zero);
+    forAll(values, i)
+    {
+        means[shape.faces()[i][0]] += 0.5*values[i];
+        means[shape.faces()[i][1]] += 0.5*values[i];
+    }
+    return means;
+}
+
+
 //- Set the larger stretch and tension of the triangles of membranes inside the
-//  fluid
+//  fluid; in two dimensions those of nodes, the means of their two segments
 static void setTensions(polyData& data, const population& objects)
 {
     const surfaceSet& surfaces = objects.surfaces();
@@ -53,19 +70,37 @@ static void setTensions(polyData& data, const population& objects)
         {
             continue;
         }
-        scalarField& stretch = data.cellScalars("stretch");
-        scalarField& tension = data.cellScalars("tension");
-        stretch.resize(surfaces.faces().size(), 1);
-        tension.resize(surfaces.faces().size(), 0);
         const shapeTemplate& shape =
             objects.shape(objects.objectGroup(objecti));
+        const bool planar = shape.nDims() == 2;
+        const auto values = [&](const word& name) -> scalarField&
+        {
+            return planar ? data.pointScalars(name) : data.cellScalars(name);
+        };
+        scalarField& stretch = values("stretch");
+        scalarField& tension = values("tension");
+        const label n =
+            planar ? surfaces.points().size() : surfaces.faces().size();
+        stretch.resize(n, 1);
+        tension.resize(n, 0);
         const membraneLaw& law = *shape.sheet()->law;
         const faceStretches own(objects, objecti);
-        const scalarField perModulus(law.tensions(own.larger, own.smaller));
-        const label start = surfaces.faceStart()[objecti];
+        scalarField perModulus(law.tensions(own.larger, own.smaller));
+        scalarField larger(own.larger);
+        label start = surfaces.faceStart()[objecti];
+        if (planar)
+        {
+            start = surfaces.pointStart()[objecti];
+            larger = meanOfSegments(shape, larger);
+            perModulus = meanOfSegments(shape, perModulus);
+        }
+        else
+        {
+            perModulus = max(perModulus, law.tensions(own.smaller, own.larger));
+        }
         forAll(perModulus, i)
         {
-            stretch[start + i] = own.larger[i];
+            stretch[start + i] = larger[i];
             tension[start + i] = law.modulus()*perModulus[i];
         }
     }

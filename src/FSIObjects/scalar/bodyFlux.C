@@ -39,7 +39,7 @@ Foam::vector Foam::fsi::bodyFlux::velocity(const label facei) const
     const label sample = surfaces_.innerSample(facei);
     const label objecti = levelSet.objectAt(sample);
     const point& x = objects_.grid().mesh().faceCentres()[facei];
-    const label nearest = levelSet.nearestFace()[sample];
+    const label nearest = levelSet.nearestFace(sample);
     if (nearest >= 0)
     {
         FixedList<scalar, 3> weights;

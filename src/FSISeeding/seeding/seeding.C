@@ -152,15 +152,13 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
 
 bool Foam::fsi::seeding::needsInside(const dictionary& dict) const
 {
-    const word type
-    (
-        dict.subDict("material").lookupOrDefault<word>("type", "")
-    );
-    const bool solid = domain_.nDims == 3;
+    const dictionary& material = dict.subDict("material");
     const bool prescribed =
         bodyMotion::New(dict.subOrEmptyDict("motion")).valid();
     return
-        type != "rigid" && !(solid && (prescribed || type == "membrane"));
+        material.lookupOrDefault<word>("type", "") != "rigid"
+     && !(domain_.nDims == 3 && prescribed)
+     && !sheetMaterial::chosen(material, domain_.nDims);
 }
 
 

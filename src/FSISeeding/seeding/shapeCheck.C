@@ -3,6 +3,7 @@
 #include "shapeCheck.H"
 #include "dictionaryCheck.H"
 #include "shape.H"
+#include "sheetMaterial.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -143,13 +144,9 @@ Foam::scalar Foam::fsi::minimumCells
     const direction nDims
 )
 {
-    const bool membrane =
-        dict.subDict("material").lookupOrDefault<word>("type", "")
-     == "membrane";
-    return readNonNegative
-    (
-        dict, "minimumCells", membrane && nDims == 3 ? 1 : 3
-    );
+    const bool immersed =
+        sheetMaterial::chosen(dict.subDict("material"), nDims);
+    return readNonNegative(dict, "minimumCells", immersed ? 1 : 3);
 }
 
 

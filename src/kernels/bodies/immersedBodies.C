@@ -9,13 +9,22 @@
 Foam::fsi::immersedBodies::immersedBodies(const shapeTemplate& shape)
 :
     bodyGroup(shape),
-    forces_(*shape.sheet(), shape.mesh(), shape.nodeSpacing()),
+    forces_
+    (
+        *shape.sheet(), shape.mesh(), shape.nodeSpacing(), shape.thickness()
+    ),
     response_(shape),
     implicit_(forces_)
 {
     if (shape.sheet()->membraneViscosity > 0)
     {
-        viscosity_.reset(new membraneViscosity(*shape.sheet(), shape.mesh()));
+        viscosity_.reset
+        (
+            new membraneViscosity
+            (
+                *shape.sheet(), shape.mesh(), shape.thickness()
+            )
+        );
     }
 }
 
@@ -48,7 +57,10 @@ Foam::scalar Foam::fsi::immersedBodies::explicitPart
 
 void Foam::fsi::immersedBodies::resizeState(const label nCopies)
 {
-    elasticForces_.conservativeResize(shape().nNodes(), 3*nCopies);
+    elasticForces_.conservativeResize
+    (
+        shape().nNodes(), shape().nDims()*nCopies
+    );
     if (viscosity_.valid())
     {
         viscosity_->resize(nCopies);
@@ -221,7 +233,7 @@ void Foam::fsi::immersedBodies::stepForces
         implicit_.correct
         (
             stiff,
-            step.dt*implicit_.mobility()/step.viscosity,
+            step.dt*forces_.mobility()/step.viscosity,
             positions(),
             positions() + step.dt*velocities(),
             force

@@ -2,8 +2,8 @@
 
 #include "implicitMembraneForces.H"
 #include "laneVector.H"
-#include "mathematicalConstants.H"
 #include "membraneLanes.H"
+#include "triangleForces.H"
 #include "vectorClones.H"
 
 #include <Eigen/Cholesky>
@@ -105,10 +105,13 @@ static void addStiffness
     {
         const vectors origin(vectors::load(x, t.nodes[0]));
         const vectors e1(vectors::load(x, t.nodes[1]) - origin);
-        const vectors e2(vectors::load(x, t.nodes[2]) - origin);
+        const vectors e2(secondSide(t, x, origin));
         const vectors start(vectors::load(direction, t.nodes[0]));
         const vectors d1(vectors::load(direction, t.nodes[1]) - start);
-        const vectors d2(vectors::load(direction, t.nodes[2]) - start);
+        const vectors d2
+        (
+            t.segment() ? start - start : secondSide(t, direction, start)
+        );
 
         const Array g11(e1 & e1), g12(e1 & e2), g22(e2 & e2);
         const Array c11(t.inverse[0]), c12(t.inverse[1]), c22(t.inverse[2]);
@@ -130,24 +133,8 @@ static void addStiffness
         const Array k22(W1*c22 + W2*p22);
         const vectors f1(alongA*a1 + alongB*b1 + k11*d1 + k12*d2);
         const vectors f2(alongA*a2 + alongB*b2 + k12*d1 + k22*d2);
-        vectors::add(product, t.nodes[1], f1);
-        vectors::add(product, t.nodes[2], f2);
-        vectors::subtract(product, t.nodes[0], f1 + f2);
+        addAtEnds(t, f1, f2, product);
     }
-}
-
-
-//- m mu of a node [1/m]
-static scalar mobilityOf(const membraneForces& forces)
-{
-    scalar area = 0;
-    for (const membraneTriangle& t : forces.triangles())
-    {
-        area += t.area;
-    }
-    const scalar radius =
-        forces.unit()*sqrt(area/(4*constant::mathematical::pi));
-    return forces.nNodes()/(290*radius);
 }
 
 
@@ -156,21 +143,25 @@ static scalar mobilityOf(const membraneForces& forces)
 template<class Positions, class Forces>
 static void removeTorque(const Positions& x, Forces&& force)
 {
-    const Eigen::RowVector3d centre(x.colwise().mean());
+    const Eigen::RowVectorXd centre(x.colwise().mean());
+    const auto arm = [&](const Eigen::Index i)
+    {
+        return inSpace(x.row(i) - centre);
+    };
     Eigen::Matrix3d inertia(Eigen::Matrix3d::Zero());
     Eigen::Vector3d torque(Eigen::Vector3d::Zero());
     for (Eigen::Index i = 0; i < x.rows(); ++i)
     {
-        const Eigen::Vector3d r(x.row(i) - centre);
-        const Eigen::Vector3d f(force.row(i));
+        const Eigen::Vector3d r(arm(i));
         inertia +=
             r.squaredNorm()*Eigen::Matrix3d::Identity() - r*r.transpose();
-        torque += r.cross(f);
+        torque += r.cross(inSpace(force.row(i)));
     }
-    const Eigen::RowVector3d turn(inertia.ldlt().solve(torque));
+    const Eigen::Vector3d turn(inertia.ldlt().solve(torque));
     for (Eigen::Index i = 0; i < x.rows(); ++i)
     {
-        force.row(i) -= turn.cross(Eigen::RowVector3d(x.row(i) - centre));
+        force.row(i) -=
+            turn.cross(arm(i)).transpose().leftCols(force.cols());
     }
 }
 
@@ -243,8 +234,7 @@ Foam::fsi::implicitMembraneForces::implicitMembraneForces
 )
 :
     forces_(forces),
-    size_(3*nLanes*forces.nNodes()),
-    mobility_(mobilityOf(forces))
+    size_(3*nLanes*forces.nNodes())
 {
     for
     (
@@ -271,11 +261,15 @@ void Foam::fsi::implicitMembraneForces::correct
 )
 {
     const scalar ofForce = forces_.modulus()*forces_.unit();
+    const direction nDims = forces_.nDims();
     forLaneBlocks(copies, [&](const labelUList& block)
     {
         double energies[nLanes] = {};
-        toLanes(predicted, block, 1/forces_.unit(), true, x_.data());
-        toLanes(force, block, 1/ofForce, false, change_.data());
+        toLanes
+        (
+            predicted, nDims, block, 1/forces_.unit(), true, x_.data()
+        );
+        toLanes(force, nDims, block, 1/ofForce, false, change_.data());
         std::fill_n(f_.data(), size_, 0.0);
         forces_.addForces(x_.data(), f_.data(), energies);
         addScaled
@@ -283,13 +277,13 @@ void Foam::fsi::implicitMembraneForces::correct
             size_, f_.data(), all(-1).data(), change_.data(), residual_.data()
         );
         solve(softness*forces_.modulus());
-        fromLanes(change_.data(), block, ofForce, true, force);
+        fromLanes(change_.data(), nDims, block, ofForce, true, force);
     });
     for (const label copyi : copies)
     {
         removeTorque
         (
-            positions.middleCols(3*copyi, 3), force.middleCols(3*copyi, 3)
+            ofCopy(positions, nDims, copyi), ofCopy(force, nDims, copyi)
         );
     }
 }

@@ -76,9 +76,12 @@ bool Foam::fsi::insideFraction::setBox(const UList<point>& points)
     for (direction d = 0; d < 3; ++d)
     {
         const scalar at = std::floor((low[d] - origin[d])*perLength);
-        first_[d] = label(at);
+        const bool solved = d < lattice_.nDims;
+        first_[d] = solved ? label(at) : 0;
         n_[d] =
-            label(std::floor((high[d] - origin[d])*perLength) - at) + 2;
+            solved
+          ? label(std::floor((high[d] - origin[d])*perLength) - at) + 2
+          : 1;
     }
     for (direction d = 0; d < 3; ++d)
     {
@@ -156,16 +159,32 @@ void Foam::fsi::insideFraction::addTriangle(corner a, corner b, corner c)
              && (ofB > 0 || ownsCA);
             if (hit)
             {
-                const scalar x = (ofA*a.x + ofB*b.x + ofC*c.x)/area;
-                const label i = label(x);
-                const label row =
-                    n_.x()*(j/nRays + n_.y()*(k/nRays));
-                parts_[row + i] += sign*(i + 1 - x);
-                parts_[row + i + 1] += sign*(x - i);
+                addRay
+                (
+                    n_.x()*(j/nRays + n_.y()*(k/nRays)),
+                    (ofA*a.x + ofB*b.x + ofC*c.x)/area,
+                    sign
+                );
             }
             ofC += toNext(a.z, b.z);
             ofA += toNext(b.z, c.z);
             ofB += toNext(c.z, a.z);
+        }
+    }
+}
+
+
+void Foam::fsi::insideFraction::addSegment(const corner& a, const corner& b)
+{
+    // Outward along x where y grows: the ray leaves
+    const scalar part = (b.y > a.y ? scalar(-1) : scalar(1))/nRays;
+    const int64_t low = min(a.y, b.y), high = max(a.y, b.y);
+    for (label j = firstRay(low); (2*j + 1)*half < high; ++j)
+    {
+        const scalar t = scalar((2*j + 1)*half - a.y)/scalar(b.y - a.y);
+        if (places_[1][j/nRays] >= 0)
+        {
+            addRay(n_.x()*(j/nRays), a.x + t*(b.x - a.x), part);
         }
     }
 }
@@ -188,7 +207,14 @@ void Foam::fsi::insideFraction::add
     }
     for (const surfaceFace& f : faces)
     {
-        addTriangle(corners_[f[0]], corners_[f[1]], corners_[f[2]]);
+        if (f[2] < 0)
+        {
+            addSegment(corners_[f[0]], corners_[f[1]]);
+        }
+        else
+        {
+            addTriangle(corners_[f[0]], corners_[f[1]], corners_[f[2]]);
+        }
     }
     labelVector ijk;
     for (ijk.z() = 0; ijk.z() < n_.z(); ++ijk.z())

@@ -2,6 +2,7 @@
 
 #include "membraneForces.H"
 #include "laneField.H"
+#include "mathematicalConstants.H"
 #include "membraneLanes.H"
 
 #include <algorithm>
@@ -19,6 +20,23 @@ static pointField inUnits(const pointField& points, const scalar unit)
     return points/unit;
 }
 
+
+//- Places of the nodes of a copy, whose columns follow each other
+struct placesInUnits
+{
+    const scalar* first;
+    const label nNodes;
+    const direction nDims;
+    const scalar unit;
+
+    point operator[](const label nodei) const
+    {
+        const scalar* x = first + nodei;
+        return
+            point(x[0], x[nNodes], nDims == 2 ? 0 : x[2*nNodes])/unit;
+    }
+};
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -29,27 +47,48 @@ Foam::fsi::membraneForces::membraneForces
 (
     const sheetMaterial& material,
     const shapeMesh& mesh,
-    const scalar unit
+    const scalar unit,
+    const scalar depth
 )
 :
     material_(material),
     unit_(unit),
     nNodes_(mesh.points.size()),
+    depth_(depth),
     triangles_(mesh.faces.size())
 {
     const pointField points(inUnits(mesh.points, unit));
     forAll(triangles_, i)
     {
-        triangles_[i] = membraneTriangle(mesh.faces[i], points);
+        triangles_[i] = membraneTriangle(mesh.faces[i], points, depth/unit);
     }
     if (material.bendingModulus > 0)
     {
-        hinges_.reset(new membraneHinges(points, mesh.faces, material.flat));
+        hinges_.reset
+        (
+            new membraneHinges(points, mesh.faces, material.flat, depth/unit)
+        );
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::membraneForces::mobility() const
+{
+    scalar area = 0;
+    for (const membraneTriangle& t : triangles_)
+    {
+        area += t.area;
+    }
+    area *= sqr(unit_);
+    const scalar pi = constant::mathematical::pi;
+    const scalar radius =
+        nDims() == 2 ? area/(2*pi*depth_) : sqrt(area/(4*pi));
+    return nNodes_*radius/(23*area);
+}
+
+
 
 void Foam::fsi::membraneForces::addForces
 (
@@ -84,11 +123,11 @@ Foam::scalar Foam::fsi::membraneForces::energy
     x.resize(size);
     f.resize(size);
     scalar sum = 0;
-    const labelList all(identity(positions.cols()/3));
+    const labelList all(identity(positions.cols()/nDims()));
     forLaneBlocks(all, [&](const labelUList& copies)
     {
         double energies[membraneLaw::nLanes] = {};
-        toLanes(positions, copies, 1/unit_, true, x.data());
+        toLanes(positions, nDims(), copies, 1/unit_, true, x.data());
         std::fill_n(f.data(), size, 0.0);
         addForces(x.data(), f.data(), energies);
         forAll(copies, lane)
@@ -106,7 +145,10 @@ Foam::scalar Foam::fsi::membraneForces::energy
         }
         if (force)
         {
-            fromLanes(f.data(), copies, modulus()*unit_, false, *force);
+            fromLanes
+            (
+                f.data(), nDims(), copies, modulus()*unit_, false, *force
+            );
         }
     });
     return sum*modulus()*sqr(unit_);
@@ -120,20 +162,14 @@ Foam::scalar Foam::fsi::membraneForces::largestRatio
 ) const
 {
     scalar most = 1;
-    const scalar* x = positions.col(3*copyi).data();
-    const auto place = [&](const label nodei)
+    const placesInUnits x
     {
-        const scalar* at = x + nodei;
-        return point(at[0], at[nNodes_], at[2*nNodes_])/unit_;
+        positions.col(nDims()*copyi).data(), nNodes_, nDims(), unit_
     };
     for (const membraneTriangle& t : triangles_)
     {
         scalar half, ofArea;
-        t.squares
-        (
-            place(t.nodes[0]), place(t.nodes[1]), place(t.nodes[2]),
-            half, ofArea
-        );
+        t.squares(x, half, ofArea);
         const scalar larger = half + sqrt(max(sqr(half) - ofArea, scalar(0)));
         most = max(most, larger/sqrt(max(ofArea, scalar(1))));
     }

@@ -25,7 +25,7 @@ void Foam::fsi::membraneGaps::findNear
     {
         ofObject.clear();
     }
-    for (const boxPair& p : boxPairs(boxes, period_, 3))
+    for (const boxPair& p : boxPairs(boxes, period_, surfaces.nDims()))
     {
         if (surfaces.hasWalls(p.first) || surfaces.hasWalls(p.second))
         {
@@ -98,14 +98,13 @@ void Foam::fsi::membraneGaps::look
 )
 {
     const surfaceFace& f = surfaces.faces()[facei];
-    const point& a = surfaces.points()[f[0]];
-    const point& b = surfaces.points()[f[1]];
-    const point& c = surfaces.points()[f[2]];
-    const boundBox around
-    (
-        min(min(a, b), c) - range*vector::one,
-        max(max(a, b), c) + range*vector::one
-    );
+    point low(surfaces.points()[f[0]]), high(low);
+    for (label i = 1; i < surfaces.nNodes(); ++i)
+    {
+        low = min(low, surfaces.points()[f[i]]);
+        high = max(high, surfaces.points()[f[i]]);
+    }
+    const boundBox around(low - range*vector::one, high + range*vector::one);
     FixedList<label, 3> first, last;
     for (direction d = 0; d < 3; ++d)
     {
@@ -242,13 +241,13 @@ void Foam::fsi::membraneGaps::addChanges
         if (excess > 0)
         {
             scalar mobility = 1;
-            for (const scalar weight : p.weights)
+            for (label i = 0; i < surfaces.nNodes(); ++i)
             {
-                mobility += sqr(weight);
+                mobility += sqr(p.weights[i]);
             }
             const vector change(excess/mobility*p.normal);
             changes[p.node] += change;
-            for (label i = 0; i < 3; ++i)
+            for (label i = 0; i < surfaces.nNodes(); ++i)
             {
                 changes[face[i]] -= p.weights[i]*change;
             }

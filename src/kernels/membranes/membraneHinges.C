@@ -13,16 +13,16 @@ namespace Foam
 namespace fsi
 {
 
-//- Energy per hinge: 2/sqrt(3)
+//- Weight of a hinge between triangles: 2/sqrt(3)
 static constexpr scalar perHinge = 1.1547005383792515;
 
 
-//- Forces of all hinges; energy per hinge `stiffness` (1 - cos(change))
+//- Forces of all hinges
 FSI_AVX2_CLONES
 static void addHingeForces
 (
     const UList<membraneHinges::hinge>& hinges,
-    const scalar stiffness,
+    const scalar kappa,
     const double* x,
     double* force,
     double* energy
@@ -34,7 +34,13 @@ static void addHingeForces
     for (const membraneHinges::hinge& h : hinges)
     {
         const vectors a(vectors::load(x, h.nodes[0]));
-        const vectors edge(vectors::load(x, h.nodes[1]) - a);
+        const bool inPlane = h.nodes[1] < 0;
+        const vectors edge
+        (
+            inPlane
+          ? vectors{Array(0), Array(0), Array(1)}
+          : vectors::load(x, h.nodes[1]) - a
+        );
         const vectors u(vectors::load(x, h.nodes[2]) - a);
         const vectors v(vectors::load(x, h.nodes[3]) - a);
         const vectors nA(edge ^ u);
@@ -45,13 +51,13 @@ static void addHingeForces
         const Array perAB((perA*perB).sqrt());
         const Array cosine((nA & nB)*perAB);
         const Array sine(((nA ^ nB) & edge)*perAB/length);
-        const Array c0(h.cosine), s0(h.sine);
-        sum += Array(stiffness)*(Array(1) - cosine*c0 - sine*s0);
+        const Array c0(h.cosine), s0(h.sine), stiffness(h.weight*kappa);
+        sum += stiffness*(Array(1) - cosine*c0 - sine*s0);
 
         // dE/dtheta over the edge's length, with the normals over their squares
         const Array moment
         (
-            Array(stiffness)*(sine*c0 - cosine*s0)/length
+            stiffness*(sine*c0 - cosine*s0)/length
         );
         const vectors mA((moment*perA)*nA);
         const vectors mB((moment*perB)*nB);
@@ -60,7 +66,10 @@ static void addHingeForces
         // The angle falls where the third node of a triangle goes outward
         vectors::add(force, h.nodes[2], lengthSqr*mA);
         vectors::add(force, h.nodes[3], lengthSqr*mB);
-        vectors::subtract(force, h.nodes[1], uAlong*mA + vAlong*mB);
+        if (!inPlane)
+        {
+            vectors::subtract(force, h.nodes[1], uAlong*mA + vAlong*mB);
+        }
         vectors::subtract
         (
             force,
@@ -75,9 +84,31 @@ static void addHingeForces
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::fsi::membraneHinges::membraneHinges
+void Foam::fsi::membraneHinges::setRest
+(
+    const UList<point>& points,
+    const bool flat,
+    const scalar weight,
+    hinge& h
+)
+{
+    const point& a = points[h.nodes[0]];
+    const vector edge
+    (
+        h.nodes[1] < 0 ? vector(0, 0, 1) : vector(points[h.nodes[1]] - a)
+    );
+    const vector nA(edge ^ (points[h.nodes[2]] - a));
+    const vector nB((points[h.nodes[3]] - a) ^ edge);
+    const scalar area = mag(nA)*mag(nB);
+    h.weight = weight;
+    h.cosine = flat ? 1 : (nA & nB)/area;
+    h.sine = flat ? 0 : ((nA ^ nB) & edge)/(area*mag(edge));
+}
+
+
+void Foam::fsi::membraneHinges::setEdges
 (
     const UList<point>& points,
     const UList<surfaceFace>& faces,
@@ -97,28 +128,55 @@ Foam::fsi::membraneHinges::membraneHinges
             {
                 continue;
             }
-            const label a = faces[facei][(i + 1) % 3];
-            const label b = faces[facei][(i + 2) % 3];
-            label third = -1;
+            hinge& h = hinges_[n++];
+            h.nodes[0] = faces[facei][(i + 1) % 3];
+            h.nodes[1] = faces[facei][(i + 2) % 3];
+            h.nodes[2] = faces[facei][i];
             for (const label nodei : faces[other])
             {
-                third = nodei == a || nodei == b ? third : nodei;
+                if (nodei != h.nodes[0] && nodei != h.nodes[1])
+                {
+                    h.nodes[3] = nodei;
+                }
             }
-            const label first = faces[facei][i];
-            const vector edge(points[b] - points[a]);
-            const vector nA(edge ^ (points[first] - points[a]));
-            const vector nB((points[third] - points[a]) ^ edge);
-            const scalar area = mag(nA)*mag(nB);
-            hinges_[n].nodes[0] = a;
-            hinges_[n].nodes[1] = b;
-            hinges_[n].nodes[2] = first;
-            hinges_[n].nodes[3] = third;
-            hinges_[n].cosine = flat ? 1 : (nA & nB)/area;
-            hinges_[n].sine = flat ? 0 : ((nA ^ nB) & edge)/(area*mag(edge));
-            ++n;
+            setRest(points, flat, perHinge, h);
         }
     }
     hinges_.setSize(n);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::membraneHinges::membraneHinges
+(
+    const UList<point>& points,
+    const UList<surfaceFace>& faces,
+    const bool flat,
+    const scalar depth
+)
+{
+    if (faces[0][2] >= 0)
+    {
+        setEdges(points, faces, flat);
+        return;
+    }
+    hinges_.setSize(points.size());
+    for (const surfaceFace& f : faces)
+    {
+        hinges_[f[0]].nodes[3] = f[1];
+        hinges_[f[1]].nodes[2] = f[0];
+    }
+    forAll(hinges_, i)
+    {
+        FixedList<label, 4>& nodes = hinges_[i].nodes;
+        nodes[0] = i;
+        nodes[1] = -1;
+        const scalar length =
+            0.5*mag(points[nodes[2]] - points[i])
+          + 0.5*mag(points[nodes[3]] - points[i]);
+        setRest(points, flat, depth/length, hinges_[i]);
+    }
 }
 
 
@@ -132,7 +190,7 @@ void Foam::fsi::membraneHinges::addForces
     double* energy
 ) const
 {
-    addHingeForces(hinges_, perHinge*kappa, x, force, energy);
+    addHingeForces(hinges_, kappa, x, force, energy);
 }
 
 

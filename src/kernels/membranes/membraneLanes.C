@@ -7,6 +7,7 @@
 void Foam::fsi::toLanes
 (
     const Eigen::MatrixXd& values,
+    const direction nDims,
     const labelUList& copies,
     const scalar factor,
     const bool relative,
@@ -17,9 +18,16 @@ void Foam::fsi::toLanes
     for (label lane = 0; lane < nLanes; ++lane)
     {
         const label copyi = copies[lane < copies.size() ? lane : 0];
-        for (label d = 0; d < 3; ++d)
+        for (label d = nDims; d < 3; ++d)
         {
-            const auto column = values.col(3*copyi + d);
+            for (label nodei = 0; nodei < values.rows(); ++nodei)
+            {
+                lanes[nLanes*(3*nodei + d) + lane] = 0;
+            }
+        }
+        for (label d = 0; d < nDims; ++d)
+        {
+            const auto column = values.col(nDims*copyi + d);
             const scalar origin = relative ? column[0] : 0;
             for (label nodei = 0; nodei < column.size(); ++nodei)
             {
@@ -34,6 +42,7 @@ void Foam::fsi::toLanes
 void Foam::fsi::fromLanes
 (
     const double* lanes,
+    const direction nDims,
     const labelUList& copies,
     const scalar factor,
     const bool add,
@@ -43,9 +52,9 @@ void Foam::fsi::fromLanes
     constexpr label nLanes = membraneLaw::nLanes;
     forAll(copies, lane)
     {
-        for (label d = 0; d < 3; ++d)
+        for (label d = 0; d < nDims; ++d)
         {
-            auto column = values.col(3*copies[lane] + d);
+            auto column = values.col(nDims*copies[lane] + d);
             for (label nodei = 0; nodei < column.size(); ++nodei)
             {
                 const scalar value =

@@ -66,7 +66,7 @@ Foam::scalarField Foam::fsi::membraneLaw::tensions
     const UList<scalar>& others
 ) const
 {
-    // A triangle with equal sides at rest, one of them across the larger
+    // A triangle with equal sides at rest, one of them across the first
     // stretch. Its tension is the sum of place times force over its area
     const scalar height = std::sqrt(0.75);
     const pointField corners
@@ -99,12 +99,7 @@ Foam::scalarField Foam::fsi::membraneLaw::tensions
         for (label lane = 0; lane < n; ++lane)
         {
             const label i = first + lane;
-            result[i] = -2*min
-            (
-                force[topX + lane]/others[i],
-                (force[atY + lane] + 0.5*force[topY + lane])
-               /(height*stretches[i])
-            );
+            result[i] = -2*force[topX + lane]/others[i];
         }
     }
     return result;

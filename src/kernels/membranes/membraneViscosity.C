@@ -2,7 +2,7 @@
 
 #include "membraneViscosity.H"
 
-#include <Eigen/Geometry>
+#include "membraneLanes.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -11,20 +11,26 @@ namespace Foam
 namespace fsi
 {
 
-//- Two sides of a triangle and their metric g_11, g_12, g_22
+//- Two sides of a triangle and their metric g_11, g_12, g_22. The second side
+//  of a segment is the unit vector along z
 struct triangleSides
 {
-    Eigen::RowVector3d e1;
-    Eigen::RowVector3d e2;
+    Eigen::Vector3d e1;
+    Eigen::Vector3d e2;
     Eigen::Vector3d metric;
 
     template<class Positions>
     triangleSides(const Positions& x, const surfaceFace& f)
     :
-        e1(x.row(f[1]) - x.row(f[0])),
-        e2(x.row(f[2]) - x.row(f[0])),
-        metric(e1.dot(e1), e1.dot(e2), e2.dot(e2))
-    {}
+        e1(inSpace(x.row(f[1]) - x.row(f[0]))),
+        e2(Eigen::Vector3d::UnitZ())
+    {
+        if (f[2] >= 0)
+        {
+            e2 = inSpace(x.row(f[2]) - x.row(f[0]));
+        }
+        metric << e1.dot(e1), e1.dot(e2), e2.dot(e2);
+    }
 };
 
 
@@ -33,13 +39,6 @@ template<class Metric>
 static scalar determinant(const Metric& m)
 {
     return m[0]*m[2] - m[1]*m[1];
-}
-
-
-//- Positions of a copy
-static auto ofCopy(const Eigen::MatrixXd& positions, const label copyi)
-{
-    return positions.middleCols(3*copyi, 3);
 }
 
 } // End namespace fsi
@@ -51,12 +50,14 @@ static auto ofCopy(const Eigen::MatrixXd& positions, const label copyi)
 Foam::fsi::membraneViscosity::membraneViscosity
 (
     const sheetMaterial& material,
-    const shapeMesh& mesh
+    const shapeMesh& mesh,
+    const scalar depth
 )
 :
     modulus_(material.viscousModulus),
     time_(material.membraneViscosity/material.viscousModulus),
     triangles_(mesh.faces),
+    part_(mesh.faces[0][2] < 0 ? depth : 0.5),
     rest_(3*mesh.faces.size()),
     natural_(3*mesh.faces.size(), 0)
 {
@@ -101,8 +102,13 @@ void Foam::fsi::membraneViscosity::addForce
 {
     for (label copyi = 0; copyi < natural_.cols(); ++copyi)
     {
-        const auto x = ofCopy(positions, copyi);
-        auto f = force.middleCols(3*copyi, 3);
+        const direction nDims = positions.cols()/natural_.cols();
+        const auto x = ofCopy(positions, nDims, copyi);
+        auto f = ofCopy(force, nDims, copyi);
+        const auto add = [&](const label nodei, const Eigen::Vector3d& push)
+        {
+            f.row(nodei) += push.transpose().leftCols(nDims);
+        };
         forAll(triangles_, i)
         {
             const surfaceFace& t = triangles_[i];
@@ -112,7 +118,7 @@ void Foam::fsi::membraneViscosity::addForce
 
             // H^ij/sqrt(det g/det H) less half of its trace times g^ij
             const scalar det = determinant(g);
-            const scalar area = 0.5*std::sqrt(det);
+            const scalar area = part_*std::sqrt(det);
             const scalar per = 1/std::sqrt(det*determinant(h));
             const Eigen::Vector3d inverse(h[2]*per, -h[1]*per, h[0]*per);
             const scalar half =
@@ -122,11 +128,14 @@ void Foam::fsi::membraneViscosity::addForce
                 area*modulus_
                *(inverse - half/det*Eigen::Vector3d(g[2], -g[1], g[0]))
             );
-            const Eigen::RowVector3d f1(s[0]*sides.e1 + s[1]*sides.e2);
-            const Eigen::RowVector3d f2(s[1]*sides.e1 + s[2]*sides.e2);
-            f.row(t[0]) += f1 + f2;
-            f.row(t[1]) -= f1;
-            f.row(t[2]) -= f2;
+            const Eigen::Vector3d f1(s[0]*sides.e1 + s[1]*sides.e2);
+            const Eigen::Vector3d f2(s[1]*sides.e1 + s[2]*sides.e2);
+            add(t[0], f1 + f2);
+            add(t[1], -f1);
+            if (t[2] >= 0)
+            {
+                add(t[2], -f2);
+            }
         }
     }
 }
@@ -141,7 +150,10 @@ void Foam::fsi::membraneViscosity::relax
     const scalar part = dt/(time_ + dt);
     for (label copyi = 0; copyi < natural_.cols(); ++copyi)
     {
-        const auto x = ofCopy(positions, copyi);
+        const auto x = ofCopy
+        (
+            positions, positions.cols()/natural_.cols(), copyi
+        );
         forAll(triangles_, i)
         {
             const Eigen::Vector3d g(triangleSides(x, triangles_[i]).metric);

@@ -17,8 +17,8 @@ using namespace Foam;
 using Foam::fsi::surfaceFace;
 using Foam::fsi::surfaceSet;
 
-//- Triangles of an object in squares of y and z
-class trianglesAlongX
+//- Faces of an object in squares of y and z; in two dimensions z is the same
+class facesAlongX
 {
     const surfaceSet& surfaces_;
 
@@ -52,9 +52,22 @@ class trianglesAlongX
         return left != turned;
     }
 
-    //- Is a triangle farther along x than a point, on its ray?
+    //- Is a segment farther along x than a point, on its ray?
+    bool segmentMeetsRay(const point& A, const point& B, const point& p) const
+    {
+        return
+            (A.y() > p.y()) != (B.y() > p.y())
+         && A.x() + (p.y() - A.y())/(B.y() - A.y())*(B.x() - A.x()) > p.x();
+    }
+
+    //- Is a face farther along x than a point, on its ray?
     bool meetsRay(const surfaceFace& f, const point& p) const
     {
+        if (f[2] < 0)
+        {
+            const pointField& x = surfaces_.points();
+            return segmentMeetsRay(x[f[0]], x[f[1]], p);
+        }
         const bool left = isLeft(f[0], f[1], p);
         if (isLeft(f[1], f[2], p) != left || isLeft(f[2], f[0], p) != left)
         {
@@ -70,7 +83,7 @@ class trianglesAlongX
 
 public:
 
-    trianglesAlongX(const surfaceSet& surfaces, const label objecti)
+    facesAlongX(const surfaceSet& surfaces, const label objecti)
     :
         surfaces_(surfaces),
         box_(surfaces.bounds(objecti))
@@ -83,10 +96,10 @@ public:
         {
             const surfaceFace& f = surfaces.faces()[facei];
             point low(surfaces.points()[f[0]]), high(low);
-            for (const label nodei : f)
+            for (label i = 1; i < surfaces.nNodes(); ++i)
             {
-                low = min(low, surfaces.points()[nodei]);
-                high = max(high, surfaces.points()[nodei]);
+                low = min(low, surfaces.points()[f[i]]);
+                high = max(high, surfaces.points()[f[i]]);
             }
             const label lastJ = squareAt(high.y(), 1);
             const label lastK = squareAt(high.z(), 2);
@@ -128,7 +141,7 @@ Foam::label Foam::fsi::nodesInside
 {
     List<boundBox> boxes(surfaces.size());
     boolList found(surfaces.points().size(), false);
-    std::vector<std::unique_ptr<trianglesAlongX>> triangles(boxes.size());
+    std::vector<std::unique_ptr<facesAlongX>> faces(boxes.size());
     const auto mark = [&](const label a, const label b, const vector& shift)
     {
         for
@@ -138,12 +151,12 @@ Foam::label Foam::fsi::nodesInside
             ++i
         )
         {
-            if (!triangles[b])
+            if (!faces[b])
             {
-                triangles[b] = std::make_unique<trianglesAlongX>(surfaces, b);
+                faces[b] = std::make_unique<facesAlongX>(surfaces, b);
             }
             const point x(surfaces.points()[i] + shift);
-            found[i] = found[i] || triangles[b]->contains(x);
+            found[i] = found[i] || faces[b]->contains(x);
         }
     };
     forAll(boxes, objecti)

@@ -2,10 +2,15 @@
 
 #include "sheetMaterial.H"
 #include "dictionaryCheck.H"
+#include "membraneMaterial.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
+Foam::fsi::sheetMaterial::sheetMaterial
+(
+    const dictionary& dict,
+    const direction nDims
+)
 :
     law(membraneLaw::New(dict)),
     shearModulus(law->modulus()),
@@ -31,10 +36,46 @@ Foam::fsi::sheetMaterial::sheetMaterial(const dictionary& dict)
     });
     known.append(law->entries());
     checkKeys(dict, known);
+    if (nDims == 2 && !law->ofSegments())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry 'law' in dictionary " << dict.name() << " is "
+            << law->type() << ", which is for three dimensions; valid ones in"
+            << " two dimensions are Skalak, neoHookean and drop"
+            << exit(FatalIOError);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * //
+
+Foam::autoPtr<Foam::fsi::sheetMaterial> Foam::fsi::sheetMaterial::New
+(
+    const dictionary& dict,
+    const direction nDims
+)
+{
+    return autoPtr<sheetMaterial>
+    (
+        chosen(dict, nDims) ? new sheetMaterial(dict, nDims) : nullptr
+    );
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::fsi::sheetMaterial::chosen
+(
+    const dictionary& dict,
+    const direction nDims
+)
+{
+    return
+        membraneMaterial::chosen(dict)
+     && !membraneMaterial::filled(dict, nDims);
+}
+
+
 
 Foam::scalar Foam::fsi::sheetMaterial::stiffness
 (

@@ -14,24 +14,6 @@ namespace Foam
 namespace fsi
 {
 
-//- The material of a membrane, of a kind for two or for three dimensions; null
-//  for an elastic body
-template<class Membrane>
-static autoPtr<Membrane> newMembrane
-(
-    const dictionary& material,
-    const bool theseDimensions
-)
-{
-    return autoPtr<Membrane>
-    (
-        membraneMaterial::chosen(material) && theseDimensions
-      ? new Membrane(material)
-      : nullptr
-    );
-}
-
-
 //- How many nodes can be held: all, but not the points of mass of a rigid body
 static label heldNodesOf(const shapeMesh& mesh)
 {
@@ -153,8 +135,8 @@ Foam::fsi::shapeTemplate::shapeTemplate
     nodeSpacing_(nodeSpacing),
     materialDict_(dict.subDict("material")),
     density_(readPositive(materialDict_, "density")),
-    membrane_(newMembrane<membraneMaterial>(materialDict_, nDims == 2)),
-    sheet_(newMembrane<sheetMaterial>(materialDict_, nDims == 3)),
+    membrane_(membraneMaterial::New(materialDict_, nDims)),
+    sheet_(sheetMaterial::New(materialDict_, nDims)),
     rigid_(materialDict_.lookupOrDefault<word>("type", "") == "rigid"),
     elastic_
     (

@@ -34,12 +34,14 @@ Foam::scalarField Foam::fsi::sheetMasses
     for (const surfaceFace& f : mesh.faces)
     {
         const point& a = mesh.points[f[0]];
+        const vector b(mesh.points[f[1]] - a);
+        const label n = f[2] < 0 ? 2 : 3;
         const scalar area =
-            mag((mesh.points[f[1]] - a) ^ (mesh.points[f[2]] - a));
-        sum += 3*area;
-        for (const label nodei : f)
+            n == 2 ? mag(b) : mag(b ^ (mesh.points[f[2]] - a));
+        sum += n*area;
+        for (label i = 0; i < n; ++i)
         {
-            masses[nodei] += area;
+            masses[f[i]] += area;
         }
     }
     return mass*masses/sum;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The case of capsule.py: a capsule in simple shear flow."""
+"""The case of capsule.py and lines.py: a capsule in simple shear flow."""
 
 import os
 
@@ -14,7 +14,7 @@ STEP = 0.02
 STIFF = {"law": "Skalak", "material": f"areaModulus {200*VISCOSITY/0.3};"}
 
 
-def shear(case, n):
+def shear(case, n, layers):
     """Starts a case with the flow of its walls."""
     size = 2*HALF/n
     rows = "".join(f"({-HALF + (j + 0.5)*size} 0 0)\n"*n for j in range(n))
@@ -24,25 +24,28 @@ def shear(case, n):
     with open(name, "w", encoding="ascii") as stream:
         stream.write(text.replace(
             "internalField uniform (0 0 0);",
-            f"internalField nonuniform List<vector> {n**3}\n(\n{rows*n});"))
+            f"internalField nonuniform List<vector> {layers*n**2}\n(\n"
+            f"{rows*layers});"))
 
 
 def capsule(folder, name, cells=5, capillary=0.3, material="",
-            law="neoHookean", modulus="shearModulus", **more):
+            law="neoHookean", modulus="shearModulus", plane=False, **more):
     """The seeded case, with this many cells to the radius."""
     n = 2*HALF*cells
+    dims = 2 if plane else 3
     values = {"deltaT": STEP, "endTime": 1, "properties":
               "output { objectsEvery 1; }", "p_tolerance": 1e-5,
               "U_tolerance": 1e-6, **more}
     case = fsiCase.Case(
         os.path.join(folder, name),
-        box=(-HALF, -HALF, -HALF, HALF, HALF, HALF), cells=(n, n, n),
-        viscosity=VISCOSITY, cyclic="xz",
+        box=(-HALF,)*dims + (HALF,)*dims, cells=(n,)*dims,
+        viscosity=VISCOSITY, cyclic="x" if plane else "xz",
         walls={"top": f"({HALF} 0 0)", "bottom": f"({-HALF} 0 0)"},
-        shapes="capsule { shape { type sphere; radius 1; } material { "
+        shapes="capsule { shape { type "
+               f"{'circle' if plane else 'sphere'}; radius 1; }} material {{ "
                f"type membrane; law {law}; density 1; "
                f"{modulus} {VISCOSITY/capillary}; {material} }} }}",
         placements="all { type listed; shape capsule; "
                    "objects ({ centre (0 0 0); }); }", **values)
-    shear(case, n)
+    shear(case, n, 1 if plane else n)
     return case.set_up()

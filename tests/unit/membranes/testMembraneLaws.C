@@ -129,13 +129,14 @@ TEST(membraneLaws, dropHasAConstantTension)
 TEST(membraneLaws, principalStretches)
 {
     const shapeMesh mesh(square(1e-6));
-    const auto moved = [&](const label i)
+    pointField moved(mesh.points);
+    for (point& p : moved)
     {
-        return cmptMultiply(mesh.points[i], vector(0.9, 1.3, 1));
-    };
+        p = cmptMultiply(p, vector(0.9, 1.3, 1));
+    }
     const membraneTriangle t(mesh.faces[1], mesh.points);
     scalar larger, smaller;
-    t.stretches(moved(1), moved(2), moved(4), larger, smaller);
+    t.stretches(moved, larger, smaller);
     EXPECT_NEAR(larger, 1.3, 1e-12);
     EXPECT_NEAR(smaller, 0.9, 1e-12);
 }
@@ -190,7 +191,7 @@ TEST(membraneLaws, wormLikeChainsShowTheirModuli)
     EXPECT_NEAR(found[0], 2*e, 1e-3*e);
     EXPECT_NEAR(found[1], 10*e, 1e-3*e);
     EXPECT_NEAR(found[2], 0, 1e-12);
-    EXPECT_NEAR(found[3], 6*e, 1e-3*e);
+    EXPECT_NEAR(found[3], 4*e, 1e-3*e);
     EXPECT_NEAR(sheet.law->areaModulus(), 5, 1e-12);
 
     // Edges near the largest length, and beyond it

@@ -28,6 +28,10 @@ void Foam::fsi::polyData::checkSizes() const
     {
         check(data.first, data.second.size(), cells.size());
     }
+    for (const auto& data : pointScalars_)
+    {
+        check(data.first, data.second.size(), points.size());
+    }
     for (const auto& data : pointVectors_)
     {
         check(data.first, data.second.size(), points.size());
@@ -90,6 +94,10 @@ void Foam::fsi::polyData::writePiece(vtkXml& xml) const
     xml.end();
 
     xml.begin("PointData");
+    for (const auto& data : pointScalars_)
+    {
+        xml.array(data.first, data.second);
+    }
     for (const auto& data : pointVectors_)
     {
         xml.array(data.first, data.second);
