@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "insideFraction.H"
 #include "mathematicalConstants.H"
 #include "membraneForces.H"
 #include "membraneViscosity.H"
-#include "nodesInside.H"
+#include "samples/outlines.H"
 #include "samples/samples.H"
 
 #include <gtest/gtest.h>
@@ -38,32 +37,6 @@ sheetMaterial materialOf(const string& others)
 }
 
 
-//- Outline with the equation r(angle) of the distance from the origin
-template<class Distance>
-shapeMesh outline(const label n, const Distance& r)
-{
-    shapeMesh mesh;
-    mesh.nBoundary = n;
-    mesh.points.setSize(n);
-    mesh.faces.setSize(n);
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar a = 2*pi*i/n;
-        mesh.points[i] = r(a)*point(std::cos(a), std::sin(a), 0);
-        mesh.faces[i][0] = i;
-        mesh.faces[i][1] = (i + 1) % n;
-        mesh.faces[i][2] = -1;
-    }
-    return mesh;
-}
-
-
-shapeMesh ring(const label n)
-{
-    return outline(n, [](const scalar) { return radius; });
-}
-
-
 Eigen::MatrixXd places(const shapeMesh& mesh, const scalar factor)
 {
     Eigen::MatrixXd x(mesh.points.size(), 2);
@@ -89,7 +62,7 @@ scalar tensionOf(const Eigen::MatrixXd& force)
 
 TEST(membraneLines, haveTheTensionOfASheetThatIsHeldAlongZ)
 {
-    const shapeMesh mesh(ring(40));
+    const shapeMesh mesh(ring(radius, 40));
     const auto tension = [&](const string& law, const scalar l)
     {
         const sheetMaterial material(materialOf(law));
@@ -123,7 +96,7 @@ TEST(membraneLines, haveTheTensionOfASheetThatIsHeldAlongZ)
 TEST(membraneLines, bendingEnergyOfARing)
 {
     // kappa/2 over the square of the radius
-    const shapeMesh mesh(ring(60));
+    const shapeMesh mesh(ring(radius, 60));
     const scalar kappa = 2e-19;
     const auto energy = [&](const string& rest)
     {
@@ -196,7 +169,7 @@ TEST(membraneLines, steadyStrainTakesThePowerOfTheViscosity)
     (
         materialOf("membraneViscosity 1e-7; viscousModulus 1e-4;")
     );
-    const shapeMesh mesh(ring(30));
+    const shapeMesh mesh(ring(radius, 30));
     membraneViscosity sheet(material, mesh, depth);
     sheet.resize(1);
     sheet.start(0);
@@ -210,57 +183,6 @@ TEST(membraneLines, steadyStrainTakesThePowerOfTheViscosity)
     Eigen::MatrixXd force(Eigen::MatrixXd::Zero(30, 2));
     sheet.addForce(places(mesh, size), force);
     EXPECT_NEAR(tensionOf(force), viscosity*rate, 3e-3*viscosity*rate);
-}
-
-
-TEST(membraneLines, partOfACellInsideAnOutline)
-{
-    staggeredLattice box;
-    box.origin = point(-8e-6, -8e-6, 0);
-    box.spacing = 1e-6;
-    box.nDims = 2;
-    box.all = labelVector(16, 16, 1);
-    box.cyclic = false;
-    box.cyclic[0] = true;
-    box.start = labelVector::zero;
-    box.n = box.all;
-    const auto inside = [&](const shapeMesh& mesh, const vector& shift)
-    {
-        scalarField fraction(box.size(), Zero), values(fraction);
-        insideFraction(box).add
-        (
-            mesh.points + shift, mesh.faces, 3, fraction, values
-        );
-        EXPECT_NEAR(sum(values), 3*sum(fraction), 1e-12);
-        EXPECT_GE(min(fraction), -1e-12);
-        EXPECT_LE(max(fraction), 1 + 1e-12);
-        return sum(fraction);
-    };
-    const label n = 200;
-    const scalar area = 0.5*n*16*std::sin(2*pi/n);
-    EXPECT_NEAR(inside(ring(n), point(0.3e-6, 0.1e-6, 0.5)), area, 0.01*area);
-
-    // Across the cyclic side
-    EXPECT_NEAR(inside(ring(n), point(7e-6, 0.1e-6, 0.5)), area, 0.01*area);
-}
-
-
-TEST(membraneLines, nodesInOtherOutlines)
-{
-    const vector shift(1.3*radius, 0.2*radius, 0);
-    const shapeMesh mesh(ring(50));
-    surfaceSet surfaces(2);
-    surfaces.append(mesh.points, mesh.faces);
-    surfaces.append(mesh.points + shift, mesh.faces);
-    label n = 0;
-    for (const point& p : mesh.points)
-    {
-        n += mag(p - shift) < radius*std::cos(pi/50);
-    }
-    EXPECT_GT(n, 5);
-    EXPECT_EQ(nodesInside(surfaces, vector::zero), 0);
-    surfaces.setImmersed(0, true);
-    EXPECT_EQ(nodesInside(surfaces, vector::zero), n);
 }
 
 
