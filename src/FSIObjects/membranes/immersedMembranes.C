@@ -237,15 +237,10 @@ void Foam::fsi::immersedMembranes::setVelocities
     };
     forAll(velocity, groupi)
     {
-        const bodyGroup& group = bodies_.groups()[groupi];
-        if (!group.hasWalls())
+        if (!bodies_.groups()[groupi].hasWalls())
         {
             v[groupi] = velocity[groupi];
             limit(groupi);
-            dynamic_cast<const immersedBodies&>(group).keepVolume
-            (
-                deltaT, v[groupi]
-            );
         }
     }
     if (apart_.valid())
@@ -254,8 +249,13 @@ void Foam::fsi::immersedMembranes::setVelocities
     }
     forAll(velocity, groupi)
     {
-        if (!bodies_.groups()[groupi].hasWalls())
+        const bodyGroup& group = bodies_.groups()[groupi];
+        if (!group.hasWalls())
         {
+            dynamic_cast<const immersedBodies&>(group).keepVolume
+            (
+                deltaT, v[groupi]
+            );
             limit(groupi);
             carry(groupi, v[groupi]);
         }

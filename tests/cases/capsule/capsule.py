@@ -17,6 +17,7 @@ import subprocess
 import sys
 
 import adhesion
+import apart
 import fsiCase
 import lines
 import results
@@ -174,6 +175,7 @@ def main(folder):
     report.attempt("ranks", sameAnswers.ranks, report, folder)
     report.attempt("walls", check_walls, report, folder)
     report.attempt("adhesion", adhesion.check, report, folder)
+    report.attempt("apart", apart.check, report, folder)
     report.attempt("restart", sameAnswers.restart, report, folder)
     report.attempt("refused", steps.refused, report, folder)
     report.attempt("stiff", steps.stiff, report, folder)
