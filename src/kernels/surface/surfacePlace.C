@@ -38,10 +38,11 @@ struct nearestSoFar
         return true;
     }
 
-    //- Go on to a face across an edge, or a node of an outline, at which the
-    //  place lies, if that face is nearer
+    //- Go on to a face that shares the edge or node at which the place lies,
+    //  if that face is nearer
     bool step()
     {
+        label nZero = 0;
         for (label i = 0; i < surfaces.nNodes(); ++i)
         {
             if (weights[i] <= 0)
@@ -51,6 +52,20 @@ struct nearestSoFar
                 {
                     return true;
                 }
+                ++nZero;
+            }
+        }
+        if (nZero < 2)
+        {
+            return false;
+        }
+        DynamicList<label> about;
+        Foam::fsi::appendFacesAt(surfaces, face, weights, about);
+        for (const label next : about)
+        {
+            if (take(next, false))
+            {
+                return true;
             }
         }
         return false;

@@ -61,6 +61,35 @@ TEST(SurfacePlace, goesOnOverTheEdgesOfTriangles)
 }
 
 
+TEST(SurfacePlace, goesOnOverTheNodesOfTriangles)
+{
+    // The way from a face far away leads over nodes, where no face across an
+    // edge is nearer, but another one about the node is
+    surfaceSet surfaces(3);
+    appendSphere(surfaces, Zero, 1, 4);
+    const point p(1.1*normalised(vector(0.3, -0.5, 0.8)));
+    const scalar least = leastSquare(surfaces, p);
+    label n = 0;
+    forAll(surfaces.faces(), facei)
+    {
+        const vector normal(surfaces.areaNormal(facei));
+        if ((normal & p) > 0.5*mag(normal))
+        {
+            label found;
+            const surfacePlace place =
+                nearestPlace(surfaces, p, facei, -1, found);
+            const point x = surfaces.interpolate
+            (
+                surfaces.points(), place.face, place.weights
+            );
+            EXPECT_NEAR(magSqr(x - p), least, 1e-14);
+            ++n;
+        }
+    }
+    EXPECT_GT(n, 400);
+}
+
+
 TEST(SurfacePlace, imagesKnowTheirOwnEdges)
 {
     surfaceSet surfaces(3);
