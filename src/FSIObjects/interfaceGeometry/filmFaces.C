@@ -2,7 +2,6 @@
 
 #include "filmFaces.H"
 #include "levelSetUpdate.H"
-#include "openArea.H"
 #include "swapCoupledCells.H"
 #include "wallTreatment.H"
 
@@ -22,54 +21,21 @@ static const scalar widest = 1.5;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::filmFaces::measure
+void Foam::fsi::filmFaces::keepOpen
 (
-    const surfaceSet& surfaces,
     const filmSearch::pair& p,
     filmFace& film
 ) const
 {
-    const label nCorners = p.nSamples - 2;
-    FixedList<FixedList<scalar, 4>, 2> corners;
-    scalar sum = 0;
-    label n = 0;
-    for (label i = 0; i < p.nSamples; ++i)
-    {
-        FixedList<scalar, 2> d;
-        label face;
-        const bool first =
-            filmSearch::from(grid_, surfaces, p, i, 0, d[0], face);
-        const bool second =
-            filmSearch::from(grid_, surfaces, p, i, 1, d[1], face);
-        if (first && second)
-        {
-            sum += d[0] + d[1];
-            ++n;
-        }
-        if (i < nCorners)
-        {
-            corners[0][i] = d[0];
-            corners[1][i] = d[1];
-        }
-    }
-    film.gap = sum/n;
-    const scalar width = max(film.gap/grid_.spacing(), thinnest);
     bool crosses = true;
     for (label side = 0; side < 2; ++side)
     {
-        const FixedList<scalar, 4>& d = corners[side];
-        const bool wall = p.objects[side] < 0;
-        film.closed[side] =
-            wall
-          ? 0
-          : 1 - (nCorners == 2 ? openSegment(d[0], d[1]) : openSquare(d));
-        crosses = crosses && (wall || film.closed[side] > 0);
+        crosses = crosses && (p.objects[side] < 0 || film.closed[side] > 0);
     }
-
-    // A film that crosses the face is not closed by errors of the corners'
-    // distances
     const scalar least =
-        crosses ? min(width, scalar(0.5)) : smallestOpenness;
+        crosses
+      ? min(film.gap/grid_.spacing(), scalar(0.5))
+      : smallestOpenness;
     const scalar closed = film.closed[0] + film.closed[1];
     if (closed > 1 - least && (crosses || closed < 1))
     {
@@ -81,28 +47,82 @@ void Foam::fsi::filmFaces::measure
 }
 
 
-void Foam::fsi::filmFaces::agree()
+void Foam::fsi::filmFaces::place
+(
+    const filmSearch::pair& p,
+    const filmMeasures& m,
+    filmFace& film
+) const
+{
+    film.dir = grid_.faceDirection(film.face);
+    for (label side = 0; side < 2; ++side)
+    {
+        film.origins[side].cut = false;
+        film.closed[side] = 0;
+        if (p.objects[side] >= 0)
+        {
+            m.setCut(side, film);
+        }
+    }
+
+    const point middle(m.openMiddle(film));
+    FixedList<point, 2> at;
+    FixedList<scalar, 3> weights;
+    for (label side = 0; side < 2; ++side)
+    {
+        if (p.objects[side] < 0)
+        {
+            const direction d = grid_.faceDirection(p.wallFace);
+            film.sides[side].wallFace = p.wallFace;
+            at[side] = middle;
+            at[side][d] = grid_.mesh().faceCentres()[p.wallFace][d];
+            continue;
+        }
+        label& face = film.origins[side].surface;
+        film.sides[side].place = m.nearest(middle, side, face);
+        at[side] = m.surfaces.nearestOnFace(face, middle, weights);
+    }
+    const scalar least = thinnest*grid_.spacing();
+    film.gap = max(mag(m.way(at[0], at[1])), least);
+    film.resistance = m.resistance(film.gap, least);
+    keepOpen(p, film);
+}
+
+
+void Foam::fsi::filmFaces::agree
+(
+    scalar filmFace::* value,
+    const scalar none
+)
 {
     const label nInternal = grid_.mesh().nInternalFaces();
     onBoundary_.setSize(grid_.mesh().nFaces() - nInternal);
-    onBoundary_ = GREAT;
+    onBoundary_ = none;
     for (const filmFace& film : faces_)
     {
         if (film.face >= nInternal)
         {
-            onBoundary_[film.face - nInternal] = film.gap;
+            onBoundary_[film.face - nInternal] = film.*value;
         }
     }
     SubList<scalar> boundary(onBoundary_, onBoundary_.size());
     syncCoupledFaces(grid_.mesh(), boundary, maxEqOp<scalar>());
-    const scalar limit = widest*grid_.spacing();
-    label n = 0;
     for (filmFace& film : faces_)
     {
         if (film.face >= nInternal)
         {
-            film.gap = onBoundary_[film.face - nInternal];
+            film.*value = onBoundary_[film.face - nInternal];
         }
+    }
+}
+
+
+void Foam::fsi::filmFaces::dropWide()
+{
+    const scalar limit = widest*grid_.spacing();
+    label n = 0;
+    for (const filmFace& film : faces_)
+    {
         if (film.gap < limit)
         {
             place_[film.face] = n;
@@ -153,7 +173,6 @@ void Foam::fsi::filmFaces::update
         return;
     }
     const polyMesh& mesh = grid_.mesh();
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
     const labelList& owner = mesh.faceOwner();
     const labelList& haloIndex = grid_.haloIndex();
     const surfaceSamples atCorners(surfaceSamples::corners(levelSet, grid_));
@@ -170,7 +189,8 @@ void Foam::fsi::filmFaces::update
             (!two && !search_.besideWall(owner[facei]))
          || (
                 facei >= mesh.nInternalFaces()
-             && !patches[patches.whichPatch(facei)].coupled()
+             && !mesh.boundaryMesh()[mesh.boundaryMesh().whichPatch(facei)]
+               .coupled()
             )
         )
         {
@@ -183,23 +203,26 @@ void Foam::fsi::filmFaces::update
         const scalar between = two ? filmSearch::choose(surfaces, p) : GREAT;
         const bool wall =
             search_.besideWall(owner[facei])
-         && search_.chooseWall
-            (grid_, surfaces, facei, min(between, limit), p);
+         && search_.chooseWall(grid_, surfaces, facei, min(between, limit), p);
         if (!wall && between >= limit)
         {
             continue;
         }
-        filmFace film;
-        film.face = facei;
-        film.dir = grid_.faceDirection(facei);
-        measure(surfaces, p, film);
-        if (film.gap < limit && film.closed[0] + film.closed[1] < 1)
+        const filmMeasures m(grid_, surfaces, atCorners.block, p);
+        if (m.meanGap() < limit && m.covered(0, 0) < 1 && m.covered(1, 0) < 1)
         {
-            place(surfaces, atCorners.block, p, film);
-            faces_.append(film);
+            filmFace film;
+            film.face = facei;
+            place(p, m, film);
+            if (film.closed[0] + film.closed[1] < 1)
+            {
+                faces_.append(film);
+            }
         }
     }
-    agree();
+    agree(&filmFace::gap, GREAT);
+    agree(&filmFace::resistance, 0);
+    dropWide();
 }
 
 

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "filmMeasures.H"
+#include "cartesianMesh.H"
+#include "openArea.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::filmMeasures::filmMeasures
+(
+    const cartesianMesh& grid,
+    const surfaceSet& surfaces,
+    const cartesianBlock& corners,
+    const filmSearch::pair& p
+)
+:
+    grid(grid),
+    surfaces(surfaces),
+    corners(corners),
+    nCorners(p.nSamples - 2)
+{
+    for (label i = 0; i < p.nSamples; ++i)
+    {
+        bool known = true;
+        for (label side = 0; side < 2; ++side)
+        {
+            known = filmSearch::from
+            (
+                grid, surfaces, p, i, side, distances[side][i], faces[side][i]
+            ) && known;
+        }
+        gaps[i] = known ? distances[0][i] + distances[1][i] : GREAT;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::vector Foam::fsi::filmMeasures::way
+(
+    const point& from,
+    const point& to
+) const
+{
+    vector change(to - from);
+    if (surfaces.nDims() == 2)
+    {
+        change.z() = 0;
+    }
+    return change;
+}
+
+
+Foam::fsi::surfacePlace Foam::fsi::filmMeasures::nearest
+(
+    const point& p,
+    const label side,
+    label& face
+) const
+{
+    const UList<label> known
+    (
+        const_cast<label*>(faces[side].cdata()), nCorners + 2
+    );
+    return nearestPlace(surfaces, p, known, face);
+}
+
+
+Foam::scalar Foam::fsi::filmMeasures::from
+(
+    const point& p,
+    const label side
+) const
+{
+    label face;
+    nearest(p, side, face);
+    FixedList<scalar, 3> weights;
+    const point at(surfaces.nearestOnFace(face, p, weights));
+    const vector to(way(at, p));
+    return (to & surfaces.areaNormal(face)) < 0 ? -mag(to) : mag(to);
+}
+
+
+Foam::scalar Foam::fsi::filmMeasures::covered
+(
+    const label side,
+    const scalar more
+) const
+{
+    const FixedList<scalar, 6>& d = distances[side];
+    FixedList<scalar, 4> moved(Zero);
+    for (label i = 0; i < nCorners; ++i)
+    {
+        moved[i] = d[i] + more;
+    }
+    return
+        nCorners == 2
+      ? 1 - openSegment(moved[0], moved[1])
+      : 1 - openSquare(moved);
+}
+
+
+Foam::scalar Foam::fsi::filmMeasures::meanGap() const
+{
+    scalar sum = 0;
+    label n = 0;
+    for (label i = 0; i < nCorners + 2; ++i)
+    {
+        if (gaps[i] < GREAT)
+        {
+            sum += gaps[i];
+            ++n;
+        }
+    }
+    return sum/max(n, 1);
+}
+
+
+Foam::scalar Foam::fsi::filmMeasures::resistance
+(
+    const scalar gap,
+    const scalar least
+) const
+{
+    // Simpson's rule
+    scalar sum = 4/sqr(gap);
+    scalar weight = 4;
+    for (label i = nCorners; i < nCorners + 2; ++i)
+    {
+        if (gaps[i] < GREAT)
+        {
+            sum += 1/sqr(max(gaps[i], least));
+            weight += 1;
+        }
+    }
+    return sum/weight;
+}
+
+
+void Foam::fsi::filmMeasures::setCut
+(
+    const label side,
+    filmFace& film
+) const
+{
+    const FixedList<label, 4> around = grid.cornersOf(film.face);
+    const FixedList<scalar, 6>& d = distances[side];
+    point cuts(Zero);
+    scalar atCuts = 0;
+    label nCuts = 0;
+    // In 2D there is one edge
+    for (label a = 0; a < (nCorners == 2 ? 1 : nCorners); ++a)
+    {
+        const label b = (a + 1) % nCorners;
+        if ((d[a] > 0) != (d[b] > 0))
+        {
+            const scalar part = d[a]/(d[a] - d[b]);
+            const point cut
+            (
+                (1 - part)*corners.position(around[a])
+              + part*corners.position(around[b])
+            );
+            cuts += cut;
+            atCuts += from(cut, side);
+            ++nCuts;
+        }
+    }
+    wallOrigin& origin = film.origins[side];
+    origin.cut = nCuts > 0;
+    origin.middle = grid.mesh().faceCentres()[film.face];
+    scalar error = 0;
+    if (origin.cut)
+    {
+        // Mean over a cut by Simpson's rule
+        origin.middle = cuts/nCuts;
+        error = atCuts/nCuts;
+        if (nCorners == 4)
+        {
+            error = (error + 2*from(origin.middle, side))/3;
+        }
+    }
+    film.closed[side] = covered(side, error);
+}
+
+
+Foam::point Foam::fsi::filmMeasures::openMiddle
+(
+    const filmFace& film
+) const
+{
+    const FixedList<label, 4> around = grid.cornersOf(film.face);
+    point sum(Zero);
+    scalar n = 0;
+    for (label a = 0; a < nCorners; ++a)
+    {
+        if (distances[0][a] > 0 && distances[1][a] >= 0)
+        {
+            sum += corners.position(around[a]);
+            n += 1;
+        }
+    }
+    for (const wallOrigin& origin : film.origins)
+    {
+        // A cut has two ends in 3D
+        const scalar weight = origin.cut ? nCorners/2 : 0;
+        sum += weight*origin.middle;
+        n += weight;
+    }
+    return n > 0 ? point(sum/n) : grid.mesh().faceCentres()[film.face];
+}
+
+
+// ************************************************************************* //
