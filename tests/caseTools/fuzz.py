@@ -24,6 +24,13 @@ import results
 from smallCase import DISC_AND_CELL
 
 SHAPES = DISC_AND_CELL + """
+sheet
+{
+    shape { type circle; radius 0.1; }
+    material { type membrane; density 1.1; shearModulus 0.1; areaModulus 1;
+        bendingModulus 1e-5; innerViscosity 0.03; membraneViscosity 1e-4;
+        viscousModulus 0.02; }
+}
 ball
 {
     shape { type polygon; file "points.csv"; }
@@ -37,6 +44,7 @@ table { type csv; shape disc; file "places.csv"; }
 discs { type listed; shape disc; objects ({ centre (0.25 0.25 0); }); }
 cells { type listed; shape cell; objects ({ centre (0.75 0.75 0); }); }
 balls { type listed; shape ball; objects ({ centre (0.25 0.75 0); }); }
+sheets { type listed; shape sheet; objects ({ centre (0.5 0.5 0); }); }
 """
 
 PROPERTIES = """gravity (0 -1 0);
@@ -52,9 +60,10 @@ BODY = """body { shape { type surface; file "body.stl"; cornerAngle 180; }
     material { density 1.1; E 100; } }"""
 
 TIME = "0.02"
-STATE = [f"{TIME}/uniform/fsiObjects/{s}" for s in ("disc", "cell", "ball")]
+BODIES = ("disc", "cell", "sheet", "ball")
+STATE = [f"{TIME}/uniform/fsiObjects/{s}" for s in BODIES]
 STATE += [f"{TIME}/uniform/{f}" for f in ("fsiPopulation", "fsiRestart")]
-SHAPE_FILES = [f"constant/fsiObjects/{s}" for s in ("disc", "cell", "ball")]
+SHAPE_FILES = [f"constant/fsiObjects/{s}" for s in BODIES]
 MESH = [f"constant/polyMesh/{f}" for f in
         ("points", "faces", "owner", "neighbour", "boundary")]
 PROGRAMS = {
