@@ -204,16 +204,13 @@ void Foam::fsi::immersedBodies::stepForces
     Eigen::MatrixXd& force
 )
 {
-    DynamicList<label> stiff;
+    DynamicList<label> soft, stiff;
     scalar most = explicitPart(step);
     for (label copyi = 0; copyi < size(); ++copyi)
     {
         const scalar number = step.number(stiffness(copyi));
         most = max(most, number/step.mostImplicit);
-        if (number > step.mostExplicit)
-        {
-            stiff.append(copyi);
-        }
+        (number > step.mostExplicit ? stiff : soft).append(copyi);
     }
     if (most > 1)
     {
@@ -223,13 +220,10 @@ void Foam::fsi::immersedBodies::stepForces
             << "Take a step of " << step.dt/most << " s or less,"
             << " adjustTimeStep yes, or smaller moduli" << exit(FatalError);
     }
-    forces_.energy(positions(), &force);
+    force = elasticForces_;
+    forces_.energy(positions(), soft, &force);
     if (stiff.size())
     {
-        for (const label copyi : stiff)
-        {
-            ofCopy(force, copyi) = ofCopy(elasticForces_, copyi);
-        }
         implicit_.correct
         (
             stiff,

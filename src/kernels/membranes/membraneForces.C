@@ -98,6 +98,18 @@ void Foam::fsi::membraneForces::addForces
 ) const
 {
     material_.law->addForces(triangles_, x, force, energy);
+    for (label lane = 0; lane < membraneLaw::nLanes; ++lane)
+    {
+        // See wormLikeMembrane
+        if (energy[lane] > 1e50)
+        {
+            FatalErrorInFunction
+                << "An edge of a membrane has reached the largest length that"
+                << " its law " << material_.law->type() << " allows: take"
+                << " smaller forces, a smaller time step or another law"
+                << exit(FatalError);
+        }
+    }
     if (hinges_.valid())
     {
         hinges_->addForces
@@ -111,20 +123,16 @@ void Foam::fsi::membraneForces::addForces
 Foam::scalar Foam::fsi::membraneForces::energy
 (
     const Eigen::MatrixXd& positions,
+    const labelUList& chosen,
     Eigen::MatrixXd* force
 ) const
 {
-    if (force)
-    {
-        force->resize(positions.rows(), positions.cols());
-    }
     const label size = 3*membraneLaw::nLanes*nNodes_;
     laneField x, f;
     x.resize(size);
     f.resize(size);
     scalar sum = 0;
-    const labelList all(identity(positions.cols()/nDims()));
-    forLaneBlocks(all, [&](const labelUList& copies)
+    forLaneBlocks(chosen, [&](const labelUList& copies)
     {
         double energies[membraneLaw::nLanes] = {};
         toLanes(positions, nDims(), copies, 1/unit_, true, x.data());
@@ -132,15 +140,6 @@ Foam::scalar Foam::fsi::membraneForces::energy
         addForces(x.data(), f.data(), energies);
         forAll(copies, lane)
         {
-            // See wormLikeMembrane
-            if (force && energies[lane] > 1e50)
-            {
-                FatalErrorInFunction
-                    << "An edge of a membrane has reached the largest length"
-                    << " that its law " << material_.law->type() << " allows:"
-                    << " take smaller forces, a smaller time step or another"
-                    << " law" << exit(FatalError);
-            }
             sum += energies[lane];
         }
         if (force)
@@ -152,6 +151,23 @@ Foam::scalar Foam::fsi::membraneForces::energy
         }
     });
     return sum*modulus()*sqr(unit_);
+}
+
+
+Foam::scalar Foam::fsi::membraneForces::energy
+(
+    const Eigen::MatrixXd& positions,
+    Eigen::MatrixXd* force
+) const
+{
+    if (force)
+    {
+        force->resize(positions.rows(), positions.cols());
+    }
+    return energy
+    (
+        positions, labelList(identity(positions.cols()/nDims())), force
+    );
 }
 
 
