@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "sideFaces.H"
+#include "labelVector.H"
 #include "openfoamVersion.H"
 #include "sumOverRanks.H"
 

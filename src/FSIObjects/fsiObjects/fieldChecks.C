@@ -6,6 +6,7 @@
 #include "fluidRegions.H"
 #include "openfoamMesh.H"
 #include "patchChecks.H"
+#include "population.H"
 #include "sharedPatches.H"
 #include "solverKeys.H"
 #include "sumOverRanks.H"

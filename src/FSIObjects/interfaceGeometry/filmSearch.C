@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "filmSearch.H"
+#include "openfoamVersion.H"
 #include "wallPolyPatch.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -121,7 +122,7 @@ Foam::scalar Foam::fsi::filmSearch::choose
         if
         (
             s.distance() <= 0
-         && !p.objects.found(surfaces.faceObject()[s.nearestFace()])
+         && !isIn(p.objects, surfaces.faceObject()[s.nearestFace()])
         )
         {
             // A third object covers a part of the face
@@ -169,12 +170,12 @@ bool Foam::fsi::filmSearch::chooseWall
     scalar least = limit;
     for (direction d = 0; d < grid.nDims(); ++d)
     {
-        const auto found = walls_.cfind(3*owner + d);
-        if (d == along || !found.good())
+        const auto found = walls_.find(3*owner + d);
+        if (d == along || found == walls_.end())
         {
             continue;
         }
-        const vector outward(grid.mesh().faceAreas()[found.val()]);
+        const vector outward(grid.mesh().faceAreas()[*found]);
         label object = -1;
         scalar sum = GREAT;
         bool alone = true;
@@ -197,7 +198,7 @@ bool Foam::fsi::filmSearch::chooseWall
                 (
                     sum,
                     s.distance()
-                  + fromWall(grid, found.val(), s.all->block.position(s.at))
+                  + fromWall(grid, *found, s.all->block.position(s.at))
                 );
             }
         }
@@ -208,7 +209,7 @@ bool Foam::fsi::filmSearch::chooseWall
             chosen = true;
             p.objects[0] = object;
             p.objects[1] = -1;
-            p.wallFace = found.val();
+            p.wallFace = *found;
         }
     }
     return chosen;
@@ -226,8 +227,8 @@ bool Foam::fsi::filmSearch::isWall
         return false;
     }
     const label celli = grid.mesh().faceOwner()[facei];
-    const auto found = walls_.cfind(3*celli + grid.faceDirection(facei));
-    return found.good() && found.val() == facei;
+    const auto found = walls_.find(3*celli + grid.faceDirection(facei));
+    return found != walls_.end() && *found == facei;
 }
 
 

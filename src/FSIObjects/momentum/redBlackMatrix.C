@@ -133,7 +133,7 @@ void Foam::fsi::redBlackMatrix::set
     forAll(U, celli)
     {
         const vector start(U[celli] + change[celli]);
-        std::copy_n(start.cdata(), nDims_, &x_[nDims_*row(celli)]);
+        std::copy_n(&start[0], nDims_, &x_[nDims_*row(celli)]);
     }
     correction_ = 0;
 }

@@ -11,6 +11,25 @@
 #include <iterator>
 #include <memory>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- A name with its blanks
+static fileName asItIs(const std::string& text)
+{
+    fileName name;
+    name.assign(text);
+    return name;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::caseFile::caseFile(const dictionary& dict, const word& key)
@@ -41,7 +60,7 @@ Foam::fsi::caseFile::caseFile(const dictionary& dict, const word& key)
     {
         text = folder + "/" + text;
     }
-    name_ = fileName(text, false);
+    name_ = asItIs(text);
 }
 
 
@@ -85,9 +104,9 @@ std::string Foam::fsi::caseFile::text() const
     // program at a blank in it
     const std::size_t n = name_.size();
     const bool ends = n > 3 && name_.compare(n - 3, 3, ".gz") == 0;
-    const fileName plain(name_.substr(0, ends ? n - 3 : n), false);
+    const fileName plain(asItIs(name_.substr(0, ends ? n - 3 : n)));
     const bool packed =
-        !isFile(plain, false) && isFile(fileName(plain + ".gz", false), false);
+        !isFile(plain, false) && isFile(asItIs(plain + ".gz"), false);
     if (!packed && (ends || !isFile(plain, false)))
     {
         fail

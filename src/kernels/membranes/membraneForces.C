@@ -4,6 +4,7 @@
 #include "laneField.H"
 #include "mathematicalConstants.H"
 #include "membraneLanes.H"
+#include "openfoamVersion.H"
 
 #include <algorithm>
 
@@ -164,10 +165,7 @@ Foam::scalar Foam::fsi::membraneForces::energy
     {
         force->resize(positions.rows(), positions.cols());
     }
-    return energy
-    (
-        positions, labelList(identity(positions.cols()/nDims())), force
-    );
+    return energy(positions, identityList(positions.cols()/nDims()), force);
 }
 
 

@@ -17,7 +17,7 @@ using namespace samples;
 namespace
 {
 
-constexpr scalar pi = constant::mathematical::pi;
+const scalar pi = constant::mathematical::pi;
 const scalar Gs = 5e-6;
 const scalar radius = 4e-6;
 const scalar depth = 0.3e-6;

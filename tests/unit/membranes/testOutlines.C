@@ -16,7 +16,7 @@ using namespace samples;
 namespace
 {
 
-constexpr scalar pi = constant::mathematical::pi;
+const scalar pi = constant::mathematical::pi;
 const scalar radius = 4e-6;
 
 } // End anonymous namespace
