@@ -89,29 +89,28 @@ void Foam::fsi::filmFaces::place
 }
 
 
-void Foam::fsi::filmFaces::agree
-(
-    scalar filmFace::* value,
-    const scalar none
-)
+void Foam::fsi::filmFaces::agree()
 {
     const label nInternal = grid_.mesh().nInternalFaces();
     onBoundary_.setSize(grid_.mesh().nFaces() - nInternal);
-    onBoundary_ = none;
+    onBoundary_ = vector(GREAT, 0, 0);
     for (const filmFace& film : faces_)
     {
         if (film.face >= nInternal)
         {
-            onBoundary_[film.face - nInternal] = film.*value;
+            onBoundary_[film.face - nInternal] =
+                vector(film.gap, film.resistance, 0);
         }
     }
-    SubList<scalar> boundary(onBoundary_, onBoundary_.size());
-    syncCoupledFaces(grid_.mesh(), boundary, maxEqOp<scalar>());
+    SubList<vector> boundary(onBoundary_, onBoundary_.size());
+    syncCoupledFaces(grid_.mesh(), boundary, maxEqOp<vector>());
     for (filmFace& film : faces_)
     {
         if (film.face >= nInternal)
         {
-            film.*value = onBoundary_[film.face - nInternal];
+            const vector& agreed = onBoundary_[film.face - nInternal];
+            film.gap = agreed.x();
+            film.resistance = agreed.y();
         }
     }
 }
@@ -220,8 +219,7 @@ void Foam::fsi::filmFaces::update
             }
         }
     }
-    agree(&filmFace::gap, GREAT);
-    agree(&filmFace::resistance, 0);
+    agree();
     dropWide();
 }
 

@@ -93,7 +93,7 @@ Foam::fsi::immersedMembranes::immersedMembranes
     const dictionary& dict = objects.properties().subOrEmptyDict("membranes");
     const scalar h = geometry.grid().spacing();
     const scalar least = h*readScalarBetween(dict, "minimumGap", 0.1, 0, 1);
-    if (any && least > 0 && geometry.grid().nDims() == 3)
+    if (any && least > 0)
     {
         apart_.reset
         (

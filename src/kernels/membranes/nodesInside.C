@@ -3,6 +3,7 @@
 #include "nodesInside.H"
 #include "boxPairs.H"
 #include "DynamicList.H"
+#include "surfaceWinding.H"
 
 #include <memory>
 #include <utility>
@@ -17,8 +18,8 @@ using namespace Foam;
 using Foam::fsi::surfaceFace;
 using Foam::fsi::surfaceSet;
 
-//- Faces of an object in squares of y and z; in two dimensions z is the same
-class facesAlongX
+//- Triangles of an object in squares of y and z
+class trianglesAlongX
 {
     const surfaceSet& surfaces_;
 
@@ -52,22 +53,9 @@ class facesAlongX
         return left != turned;
     }
 
-    //- Is a segment farther along x than a point, on its ray?
-    bool segmentMeetsRay(const point& A, const point& B, const point& p) const
-    {
-        return
-            (A.y() > p.y()) != (B.y() > p.y())
-         && A.x() + (p.y() - A.y())/(B.y() - A.y())*(B.x() - A.x()) > p.x();
-    }
-
-    //- Is a face farther along x than a point, on its ray?
+    //- Is a triangle farther along x than a point, on its ray?
     bool meetsRay(const surfaceFace& f, const point& p) const
     {
-        if (f[2] < 0)
-        {
-            const pointField& x = surfaces_.points();
-            return segmentMeetsRay(x[f[0]], x[f[1]], p);
-        }
         const bool left = isLeft(f[0], f[1], p);
         if (isLeft(f[1], f[2], p) != left || isLeft(f[2], f[0], p) != left)
         {
@@ -83,7 +71,7 @@ class facesAlongX
 
 public:
 
-    facesAlongX(const surfaceSet& surfaces, const label objecti)
+    trianglesAlongX(const surfaceSet& surfaces, const label objecti)
     :
         surfaces_(surfaces),
         box_(surfaces.bounds(objecti))
@@ -96,10 +84,10 @@ public:
         {
             const surfaceFace& f = surfaces.faces()[facei];
             point low(surfaces.points()[f[0]]), high(low);
-            for (label i = 1; i < surfaces.nNodes(); ++i)
+            for (const label nodei : f)
             {
-                low = min(low, surfaces.points()[f[i]]);
-                high = max(high, surfaces.points()[f[i]]);
+                low = min(low, surfaces.points()[nodei]);
+                high = max(high, surfaces.points()[nodei]);
             }
             const label lastJ = squareAt(high.y(), 1);
             const label lastK = squareAt(high.z(), 2);
@@ -141,7 +129,21 @@ Foam::label Foam::fsi::nodesInside
 {
     List<boundBox> boxes(surfaces.size());
     boolList found(surfaces.points().size(), false);
-    std::vector<std::unique_ptr<facesAlongX>> faces(boxes.size());
+    std::vector<std::unique_ptr<trianglesAlongX>> triangles(boxes.size());
+    const auto inside = [&](const label objecti, const point& x)
+    {
+        // An outline has few segments
+        if (surfaces.nDims() == 2)
+        {
+            return Foam::fsi::contains(surfaces, objecti, x);
+        }
+        if (!triangles[objecti])
+        {
+            triangles[objecti] =
+                std::make_unique<trianglesAlongX>(surfaces, objecti);
+        }
+        return triangles[objecti]->contains(x);
+    };
     const auto mark = [&](const label a, const label b, const vector& shift)
     {
         for
@@ -151,12 +153,8 @@ Foam::label Foam::fsi::nodesInside
             ++i
         )
         {
-            if (!faces[b])
-            {
-                faces[b] = std::make_unique<facesAlongX>(surfaces, b);
-            }
             const point x(surfaces.points()[i] + shift);
-            found[i] = found[i] || faces[b]->contains(x);
+            found[i] = found[i] || inside(b, x);
         }
     };
     forAll(boxes, objecti)

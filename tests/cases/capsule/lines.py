@@ -4,6 +4,7 @@
 import math
 import os
 
+import apart
 import fsiCase
 import results
 import sameAnswers
@@ -76,3 +77,4 @@ def check(report, folder):
     sameAnswers.ranks(report, folder, True)
     sameAnswers.restart(report, folder, True)
     steps.stiff(report, folder, True)
+    apart.check(report, folder, True)
