@@ -12,6 +12,11 @@ namespace
 using namespace Foam;
 using namespace Foam::fsi;
 
+//- Sides face the same way if the cosine between their normals is larger: not
+//  where a right angle is on either side of the limit
+const scalar leastCosine = -0.1;
+
+
 //- Cell of a side, or -1
 label sideCell(const UList<wallFace>& faces, const label side)
 {
@@ -61,6 +66,48 @@ void Foam::fsi::cellWalls::setSides(const UList<wallFace>& faces)
 }
 
 
+void Foam::fsi::cellWalls::chainSides
+(
+    const surfaceSet& surfaces,
+    const UList<wallFace>& faces,
+    const UList<wallOrigin>& origins,
+    const UList<label>& sides
+)
+{
+    const auto object = [&](const label i)
+    {
+        return faces[sides[i]/2].place.object;
+    };
+    normals_.clear();
+    chained_.clear();
+    for (const label side : sides)
+    {
+        const wallFace& w = faces[side/2];
+        there_.clear();
+        appendFacesAt
+        (
+            surfaces, origins[side/2].surface, w.place.weights, there_
+        );
+        normals_.append(normalised(areaNormal(surfaces, there_)));
+        chained_.append(chained_.empty());
+    }
+    for (bool grown = true; grown;)
+    {
+        grown = false;
+        forAll(sides, i)
+        {
+            for (label j = 0; j < sides.size() && !chained_[i]; ++j)
+            {
+                chained_[i] =
+                    chained_[j] && object(i) == object(j)
+                 && (normals_[i] & normals_[j]) > leastCosine;
+                grown = grown || chained_[i];
+            }
+        }
+    }
+}
+
+
 void Foam::fsi::cellWalls::addPart
 (
     const surfaceSet& surfaces,
@@ -69,28 +116,23 @@ void Foam::fsi::cellWalls::addPart
     DynamicList<label>& sides
 )
 {
-    const label first = sides[0];
-    const label object = faces[first/2].place.object;
-    vector normal(Zero);
+    chainSides(surfaces, faces, origins, sides);
     near_.clear();
-    cellWall wall{sideCell(faces, first), vector(Zero), surfacePlace()};
+    cellWall wall{sideCell(faces, sides[0]), vector(Zero), surfacePlace()};
     point cuts(Zero), closed(Zero);
     scalar nCuts = 0, area = 0;
     label nOthers = 0;
-    for (const label side : sides)
+    forAll(sides, i)
     {
+        const label side = sides[i];
         const wallFace& w = faces[side/2];
         const wallOrigin& origin = origins[side/2];
-        there_.clear();
-        appendFacesAt(surfaces, origin.surface, w.place.weights, there_);
-        const vector n(areaNormal(surfaces, there_));
-        normal = side == first ? n : normal;
-        if (w.place.object != object || (n & normal) <= 0)
+        if (!chained_[i])
         {
             sides[nOthers++] = side;
             continue;
         }
-        near_.append(there_);
+        appendFacesAt(surfaces, origin.surface, w.place.weights, near_);
         wall.area[w.dir] += side % 2 ? -w.area : w.area;
         closed += w.area*origin.middle;
         area += w.area;
