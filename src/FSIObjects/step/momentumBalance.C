@@ -60,6 +60,44 @@ void Foam::fsi::momentumBalance::setLayer
 }
 
 
+void Foam::fsi::momentumBalance::startWithFluid()
+{
+    const boolList& fluid = geometry_.fluidCell();
+    const scalarField& V = geometry_.grid().mesh().V();
+    partialForces part(wall_.size());
+    forCutCells([&](const cellWall& wall, const scalar closed)
+    {
+        if (fluid[wall.cell])
+        {
+            wall.place.spread
+            (
+                part.mine(), vector::uniform(2*closed*V[wall.cell])
+            );
+        }
+    });
+    const vectorField& volume = part.collectWalls(bodies_.ranks());
+    const labelList& start = bodies_.surfaces().pointStart();
+    for (const label objecti : new_)
+    {
+        const label n = start[objecti + 1] - start[objecti];
+        SubList<vector> layer(layer_, n, start[objecti]);
+        SubList<vector> wall(wall_, n, start[objecti]);
+        const scalar all =
+            sum(SubList<vector>(volume, n, start[objecti])).x();
+        if (all > 0)
+        {
+            const vector slip(sum(layer)/all);
+            for (vector& v : wall)
+            {
+                v += slip;
+            }
+        }
+        layer = Zero;
+    }
+    bodies_.ranks().spread({objectRanks::values::ofNodes(wall_)});
+}
+
+
 Foam::fsi::surfacePlace Foam::fsi::momentumBalance::kept
 (
     surfacePlace place
@@ -154,6 +192,15 @@ void Foam::fsi::momentumBalance::renew()
     payment_ = Zero;
     kept_ = owed_;
     known_ = false;
+    new_.clear();
+    for (label objecti = 0; objecti < bodies_.size(); ++objecti)
+    {
+        const bodyGroup& group = bodies_.groups()[bodies_.objectGroup(objecti)];
+        if (group.isNew(bodies_.objectCopy(objecti)))
+        {
+            new_.append(objecti);
+        }
+    }
 }
 
 
@@ -171,6 +218,7 @@ void Foam::fsi::momentumBalance::begin(const volVectorField& U)
     {
         wall_ = bodies_.surfaces().velocities();
         setLayer(U, wall_, layer_);
+        startWithFluid();
         known_ = true;
     }
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Free objects in simple shear turn as theory says: a disc with half the shear
-rate, a stiff ellipse as Jeffery's, membranes as Keller and Skalak's.
+rate, a stiff ellipse and a spheroid of the ratio 3 as Jeffery's, membranes as
+Keller and Skalak's.
 
     shear.py FOLDER
 """
@@ -141,6 +142,36 @@ def sheared(folder, name, parts=()):
             sum(stresslets)/(2/24))
 
 
+def check_spheroid(report, folder):
+    """A spheroid with 8 cells to its long half-axis, 2.7 to the short one,
+    turns slowest where it lies along the flow."""
+    h, step = 1/8, 30/64
+    shear = 1e-3/step
+    wall = shear*2.5
+    for degrees in (0, 90):
+        angle = math.radians(degrees)/2
+        case = fsiCase.Case(
+            os.path.join(folder, "spheroid"), box=(0, 0, 0, 6, 5, 4),
+            cells=(48, 40, 32), viscosity=1, cyclic="xz",
+            walls={"top": f"({wall} 0 0)", "bottom": f"({-wall} 0 0)"},
+            shapes="a { shape { type ellipsoid; semiAxes (1 0.3333333 "
+                   "0.3333333); } material { type rigid; density 1; } "
+                   "minimumCells 5; }",
+            placements="a { type listed; shape a; objects ({ centre "
+                       f"({3 + 0.3*h} {2.5 + 0.2*h} {2 + 0.1*h}); rotation "
+                       f"{{ quaternion ({math.cos(angle)} (0 0 "
+                       f"{math.sin(angle)})); }} }}); }}",
+            deltaT=step, endTime=30*step, writeInterval=30).set_up()
+        case.run("fsiPisoFoam")
+        rate = -results.table(case.path, "objects.csv")[-1][
+            "angularVelocityZ"]/shear
+        jeffery = 0.9 if degrees else 0.1
+        print(f"    spheroid at {degrees} degrees: {rate:.4f} of the shear "
+              f"rate, Jeffery {jeffery}")
+        report.check(f"a spheroid at {degrees} degrees",
+                     abs(rate - jeffery) < 0.1*jeffery, f"{rate}")
+
+
 def check_rheology(report, folder):
     """The stress of the walls and that of fluid and bodies agree."""
     rows, stresslets = sheared(folder, "rheology")
@@ -169,6 +200,7 @@ def main(folder):
                            os.path.join(folder, "membranes"), 11)
     if cells:
         check_membranes(report, cells)
+    report.attempt("spheroid", check_spheroid, report, folder)
     report.attempt("rheology", check_rheology, report, folder)
 
 
