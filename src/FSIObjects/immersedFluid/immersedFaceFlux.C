@@ -55,7 +55,6 @@ inline Foam::scalar Foam::fsi::immersedFlux::excess
 void Foam::fsi::immersedFlux::fadeOnPatches
 (
     const fadingPart& lost,
-    const scalar ofCut,
     const volVectorField& gradient,
     const volScalarField& p,
     surfaceScalarField& flux
@@ -94,7 +93,7 @@ void Foam::fsi::immersedFlux::fadeOnPatches
               : faces_.along(here ? gradient[cells[i]] : across[i], start + i);
             flux.boundaryFieldRef()[patchi][i] -=
                 lost.onPatch(pp.patch(), i)*open.boundaryField()[patchi][i]
-               *(here && there ? 1 : ofCut)*(g - dpdn[i]);
+               *(g - dpdn[i]);
         }
     }
 }
@@ -191,18 +190,15 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
     const tmp<surfaceScalarField> thistory(rule_.start(faceHistory_));
     const surfaceScalarField& history = thistory();
     const surfaceScalarField& open = geometry_.openArea();
-    const surfaceScalarField& fluidFace = geometry_.fluidFace();
     const scalar area = geometry_.grid().faceArea();
     const fadingPart lost(fadingGradient(U, viscosity, eigenvalue));
-    const scalar ofCut = rule_.secondOrder() ? 0 : 1;
     const labelUList& own = p.mesh().owner();
     const labelUList& nei = p.mesh().neighbour();
     forAll(flux, facei)
     {
-        const scalar part = fluidFace[facei] < 0.5 ? ofCut : 1;
         flux[facei] =
             (flux[facei] + history[facei])*area*open[facei]
-          - lost.inside(facei)*open[facei]*part
+          - lost.inside(facei)*open[facei]
            *excess(gradient, p, own, nei, facei);
     }
     forAll(flux.boundaryField(), patchi)
@@ -212,7 +208,7 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::immersedFlux::faceFlux
             (pf + history.boundaryField()[patchi])
            *pf.patch().magSf()*open.boundaryField()[patchi];
     }
-    fadeOnPatches(lost, ofCut, gradient, p, flux);
+    fadeOnPatches(lost, gradient, p, flux);
     setFilmFluxes(inFilms, history, viscosity.least, flux);
     return tflux;
 }

@@ -97,23 +97,12 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
     const scalar area = geometry_.grid().faceArea();
     const meansAtFaces fading(U.mesh(), fadingInStep(U, viscosity));
 
-    // The part that a cut face adds does not fade in its step: it hardly may
-    // later on, or the result depends on the step by first order
-    const scalar ofCut = rule_.secondOrder() ? cutFading : 1;
-    const auto fadingOf = [&](const scalar fluidFace, const scalar value)
-    {
-        return fluidFace < 0.5 ? ofCut*value : value;
-    };
-
     forAll(open, facei)
     {
         faceHistory_[facei] =
             open[facei] > 0
           ? (phi[facei]/(open[facei]*area) - interpolated[facei])
-           /(
-                1
-              + fadingOf(geometry_.fluidFace()[facei], fading.inside(facei))
-            )
+           /(1 + fading.inside(facei))
           : 0;
     }
     forAll(open.boundaryField(), patchi)
@@ -128,14 +117,7 @@ void Foam::fsi::immersedFlux::storeFaceVelocity
                     phi.boundaryField()[patchi][i]/(po[i]*area)
                   - interpolated.boundaryField()[patchi][i]
                 )
-               /(
-                    1
-                  + fadingOf
-                    (
-                        geometry_.fluidFace().boundaryField()[patchi][i],
-                        fading.onPatch(po.patch(), i)
-                    )
-                )
+               /(1 + fading.onPatch(po.patch(), i))
               : 0;
         }
     }
