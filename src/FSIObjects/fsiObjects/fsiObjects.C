@@ -107,14 +107,7 @@ Foam::fsi::fsiObjects::fsiObjects
     loads_(bodies_),
     driving_(drivingForce::New(mesh, properties_)),
     frame_(mesh.time(), properties_),
-    contact_
-    (
-        bodies_,
-        grid_,
-        sides_,
-        properties_,
-        fluid_
-    ),
+    contact_(bodies_, grid_, sides_, properties_, fluid_),
     boundaries_(grid_, sides_, bodies_, properties_)
 {
     stateChecks::checkMesh

@@ -138,6 +138,7 @@ void Foam::fsi::fsiObjects::limit(nodeVelocities& v, const stepLength& step)
 void Foam::fsi::fsiObjects::move(const groupNodal& v, const stepLength& step)
 {
     const stepTimer::section solids(timer_, stepTimer::part::solids);
+    contact_.carry().keep(contact_.forces(), v, bodies_);
     forAll(v, groupi)
     {
         bodies_.groups()[groupi].move(step.tau, v[groupi]);

@@ -242,6 +242,7 @@ void Foam::fsi::objectContact::addForce
     const stepLength& step
 )
 {
+    carry_.clear();
     if (explicitForces())
     {
         calculate(surfaces().velocities(), step);

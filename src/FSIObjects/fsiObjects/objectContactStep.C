@@ -34,8 +34,9 @@ void Foam::fsi::objectContact::push
 {
     if (!explicitForces() && !(bodies_.onlyMembranes() && !keepsForces_))
     {
+        carry_.takeOut(v.change());
         calculate(lessStandstill(v.surface(), step), step);
-        addContact(bodies_, force_, v.change());
+        carry_.putIn(bodies_, force_, v.change());
     }
 }
 

@@ -158,6 +158,7 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
         bodies, p_.time().value() - step().dt, step(), load, predicted_
     );
     addResponse(bodies, rest, predicted_);
+    objects_.contact().carry().begin(bodies, predicted_);
     velocity_.change() = predicted_;
 }
 

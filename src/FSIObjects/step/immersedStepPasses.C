@@ -169,6 +169,7 @@ bool Foam::fsi::immersedStep::passAgain
     );
     addNetForce(objects_.bodies(), gradientForce_ - lastForce, load);
     addResponse(objects_.bodies(), load, predicted_);
+    objects_.contact().carry().next(passes_.refused(), predicted_);
     velocity_.change() = predicted_;
     return true;
 }

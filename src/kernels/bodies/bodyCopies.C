@@ -19,6 +19,7 @@ void Foam::fsi::bodyCopies::startCopy
     objectIds_[copyi] = objectId;
     ofCopy(owedImpulse_, copyi).setZero();
     contactRange_.col(copyi).setZero();
+    ofCopy(contactForce_, copyi).setZero();
     periods_.col(copyi).setZero();
 }
 
@@ -41,6 +42,10 @@ void Foam::fsi::bodyCopies::writeCopies(Ostream& os) const
     writeNodes(os);
     writeMatrix(os, "owedImpulse", owedImpulse_);
     writeMatrix(os, "contactRange", contactRange_);
+    if (!contactForce_.isZero(0))
+    {
+        writeMatrix(os, "contactForce", contactForce_);
+    }
     writeMatrix(os, "periods", periods_);
     if (anchors_.rows())
     {
@@ -57,6 +62,11 @@ void Foam::fsi::bodyCopies::readCopies(const dictionary& dict)
     readNodes(dict);
     readMatrix(dict, "owedImpulse", owedImpulse_);
     readMatrix(dict, "contactRange", contactRange_);
+    contactForce_.setZero();
+    if (dict.found("contactForce"))
+    {
+        readMatrix(dict, "contactForce", contactForce_);
+    }
     readMatrix(dict, "periods", periods_);
     if (anchors_.rows())
     {
@@ -74,6 +84,7 @@ Foam::fsi::bodyCopies::bodyCopies(const shapeTemplate& shape)
     resizeNodes(shape.nNodes(), 0);
     owedImpulse_.resize(shape.nBoundaryNodes(), 0);
     contactRange_.resize(1, 0);
+    contactForce_.resize(shape.nBoundaryNodes(), 0);
     periods_.resize(3, 0);
     anchors_.resize(shape.held().nodes().size(), 0);
 }
@@ -88,6 +99,7 @@ void Foam::fsi::bodyCopies::resize(const label nCopies)
     const label nColumns = shape_.nDims()*nCopies;
     owedImpulse_.conservativeResize(shape_.nBoundaryNodes(), nColumns);
     contactRange_.conservativeResize(1, nCopies);
+    contactForce_.conservativeResize(shape_.nBoundaryNodes(), nColumns);
     periods_.conservativeResize(3, nCopies);
     anchors_.conservativeResize(anchors_.rows(), nColumns);
     resizeState(nCopies);
@@ -124,6 +136,7 @@ void Foam::fsi::bodyCopies::exchange(const label copyi, copyValues& values)
     exchangeNodes(nDims*copyi, nDims, values);
     values.block(ofCopy(owedImpulse_, copyi));
     values.block(contactRange_.col(copyi));
+    values.block(ofCopy(contactForce_, copyi));
     values.block(periods_.col(copyi));
     values.block(ofCopy(anchors_, copyi));
     exchangeState(copyi, values);

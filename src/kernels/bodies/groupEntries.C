@@ -23,9 +23,9 @@ Foam::labelList Foam::fsi::readGroupIds
         {
             "FoamFile", "motion", "shape", "objectIds", "positions",
             "velocities", "lastMean", "lastVelocities", "meanLoad",
-            "lastLoad", "owedImpulse", "contactRange", "periods",
-            "springStates", "triangles", "anchors", "elasticForces",
-            "naturalMetrics"
+            "lastLoad", "owedImpulse", "contactRange", "contactForce",
+            "periods", "springStates", "triangles", "anchors",
+            "elasticForces", "naturalMetrics"
         }
     );
     const word name(getEntry<word>(dict, "shape"));

@@ -11,6 +11,9 @@ should, and say so in the log.
 
 A force that sets the fluid around a fixed disc off within one step, to many
 cells per step: all passes of the step find the same flow.
+
+A free disc that a flow presses against a fixed one resists the flow as if it
+were fixed, too: contact holds it against the friction of the fluid.
 """
 
 import os
@@ -95,12 +98,50 @@ def check_sudden(report, folder):
                  f"Courant number {courant[1]}, not below {most}")
 
 
+def pressed(folder, name, step, motion):
+    """Mean velocity of a Stokes flow with a disc of this motion before a fixed
+    one, at the gap of contact."""
+    cells, radius, end = 32, 0.125, 0.4
+    rigid = "material { type rigid; density 1; }"
+    gap = 0.1/cells
+    x = 0.5 - radius - gap/2
+    case = fsiCase.Case(
+        os.path.join(folder, name), cells=(cells, cells), viscosity=1,
+        cyclic="x", deltaT=step, endTime=end,
+        writeControl="adjustableRunTime", writeInterval=end,
+        shapes=f"disc {{ shape {{ type circle; radius {radius}; }} {rigid} "
+               f"{motion} }} post {{ shape {{ type circle; radius {radius}; }} "
+               f"{rigid} motion {{ type fixed; }} }}",
+        placements="a { type listed; shape disc; objects "
+                   f"({{ centre ({x} 0.5 0); }}); }} "
+                   "b { type listed; shape post; objects "
+                   f"({{ centre ({x + 2*radius + gap} 0.5 0); }}); }}",
+        properties="drivingForce { type acceleration; "
+                   "acceleration (1e-3 0 0); } contact { range 1; }").set_up()
+    case.run("fsiPisoFoam")
+    flow = results.field(case.path, results.times(case.path)[-1], "U")[::3]
+    return sum(flow)/len(flow)
+
+
+def check_contact(report, folder):
+    """dt nu/h^2 of 1, where steps have one pass, 10 and 41."""
+    for step in (0.001, 0.01, 0.04):
+        free, fixed = (
+            pressed(folder, f"{name}{step}", step, motion)
+            for name, motion in (("free", ""),
+                                 ("fixed", "motion { type fixed; }")))
+        report.check(f"contact holds a disc in a flow, step {step}",
+                     abs(free/fixed - 1) < 0.01,
+                     f"mean velocity {free}, not {fixed}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
     report.attempt("velocity", check_velocity, report, folder)
     report.attempt("end of the passes", check_end, report, folder)
     report.attempt("sudden flow", check_sudden, report, folder)
+    report.attempt("contact", check_contact, report, folder)
 
 
 if __name__ == "__main__":

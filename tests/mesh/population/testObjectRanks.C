@@ -42,7 +42,9 @@ struct discRow
         group.move(0.1, group.velocities());
         for (label copyi = 0; copyi < group.size(); ++copyi)
         {
-            group.contactRange(copyi) = group.objectIds()[copyi] + 0.25;
+            const label id = group.objectIds()[copyi];
+            group.contactRange(copyi) = id + 0.25;
+            group.contactForce().middleCols(2*copyi, 2).setConstant(id - 0.5);
         }
         objects->writeShapes();
         objects->write();
@@ -110,6 +112,11 @@ TEST(objectRanks, readsForEachRankItsOwnObjects)
         {
             const label id = group.objectIds()[copyi];
             EXPECT_EQ(objects.groups()[0].contactRange(copyi), id + 0.25);
+            EXPECT_EQ
+            (
+                objects.groups()[0].contactForce()(0, 2*copyi),
+                id - 0.5
+            );
             EXPECT_NEAR(group.centroid(copyi).x(), 1.5 + 3*(id - 5), 1e-12);
         }
         EXPECT_EQ(nOwned < 8, severalRanks() && objects.ranks().nRanks() > 0);
