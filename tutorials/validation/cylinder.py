@@ -111,7 +111,7 @@ def shedding():
                       (f"DFG 2D-2, {what}", cells))
 
 
-def stream(name, cells, frame, part=1):
+def stream(name, cells, frame, part=1, **controls):
     """A disc of diameter 0.25 in a stream of speed 1 between walls that move
     with it, at Re 40; seen from the disc (frame 0) or from the stream (1), with
     a part of the time step."""
@@ -126,7 +126,7 @@ def stream(name, cells, frame, part=1):
                     f"velocity ({-frame or 1e-12} 0 0); }}"),
         placements=placed("disc", (1.5 + 2*frame, 0.5)),
         properties="output { objectsEvery 1; }",
-        deltaT=0.0125/cells/part, endTime=1.5, writeInterval=1.5)
+        deltaT=0.0125/cells/part, endTime=1.5, writeInterval=1.5, **controls)
 
 
 def translating():

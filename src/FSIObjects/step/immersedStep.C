@@ -59,6 +59,10 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
     {
         balance_.renew();
     }
+    if (countsLayer())
+    {
+        balance_.begin(U_);
+    }
     if (rule_.secondOrder())
     {
         objects_.expect(rule_);
@@ -106,6 +110,7 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
 
     // The surfaces are where they are: level set, walls, new cells
     moveWalls();
+    hydrodynamicForce_ += balance_.close(step());
     endStep();
 }
 
@@ -165,7 +170,7 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
 
 bool Foam::fsi::immersedStep::countsLayer() const
 {
-    return !rule_.secondOrder() && !objects_.bodies().onlyMembranes();
+    return !objects_.bodies().onlyMembranes();
 }
 
 
@@ -200,11 +205,6 @@ void Foam::fsi::immersedStep::finish()
     walls_.transpose(p_.primitiveField(), nodal);
     nodal = linkForce_ + objects_.fluid().density*nodal;
     hydrodynamicForce_ = nodal + gradientForce_;
-    if (!countsLayer())
-    {
-        hydrodynamicForce_ += balance_.close(step());
-    }
-
     population& bodies = objects_.bodies();
     groupNodal load;
     bodies.layout().toGroups(nodal, load);
@@ -220,15 +220,17 @@ void Foam::fsi::immersedStep::moveWalls()
 {
     if (countsLayer())
     {
-        balance_.beginMove(U_, objects_.bodies().surfaces().velocities());
+        balance_.beginMove
+        (
+            U_, objects_.bodies().surfaces().velocities(), step()
+        );
     }
     auto nodal(objects_.contact().withForces(balance_.nodal()));
     nodal.push_back(&hydrodynamicForce_);
     beginMove(nodal);
     if (countsLayer())
     {
-        balance_.endMove(U_);
-        hydrodynamicForce_ += balance_.close(step());
+        balance_.endMove(U_, step());
     }
     endMove();
 }

@@ -18,10 +18,6 @@ void Foam::fsi::immersedStep::solveMomentum
     tmp<fvVectorMatrix> UEqn(momentum(convectiveFlux, gradient_(), sources));
     geometry_.setWallVelocities(U_);
     membranes_.addTo(UEqn.ref());
-    if (countsLayer())
-    {
-        balance_.begin(U_);
-    }
     viscous_.solve
     (
         UEqn.ref(),

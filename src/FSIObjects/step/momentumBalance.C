@@ -79,11 +79,11 @@ void Foam::fsi::momentumBalance::startWithFluid()
     const labelList& start = bodies_.surfaces().pointStart();
     for (const label objecti : new_)
     {
-        const label n = start[objecti + 1] - start[objecti];
-        SubList<vector> layer(layer_, n, start[objecti]);
-        SubList<vector> wall(wall_, n, start[objecti]);
-        const scalar all =
-            sum(SubList<vector>(volume, n, start[objecti])).x();
+        const label first = start[objecti];
+        const label n = start[objecti + 1] - first;
+        SubList<vector> layer(layer_, n, first);
+        SubList<vector> wall(wall_, n, first);
+        const scalar all = sum(SubList<vector>(volume, n, first)).x();
         if (all > 0)
         {
             const vector slip(sum(layer)/all);
@@ -237,10 +237,10 @@ void Foam::fsi::momentumBalance::owe
 void Foam::fsi::momentumBalance::beginMove
 (
     const volVectorField& U,
-    const vectorField& v
+    const vectorField& v,
+    const stepLength& step
 )
 {
-    begin(U);
     const boolList& fluid = geometry_.fluidCell();
     const scalarField& V = U.mesh().V();
     const vectorField gain(v - wall_);
@@ -260,11 +260,15 @@ void Foam::fsi::momentumBalance::beginMove
             places_.append(kept(wall.place));
         }
     });
-    owed_ += density_*inertia.collectWalls(bodies_.ranks());
+    owed_ += perStep(step)*inertia.collectWalls(bodies_.ranks());
 }
 
 
-void Foam::fsi::momentumBalance::endMove(const volVectorField& U)
+void Foam::fsi::momentumBalance::endMove
+(
+    const volVectorField& U,
+    const stepLength& step
+)
 {
     const vectorField& v = bodies_.surfaces().velocities();
     partialForces passed(v.size());
@@ -272,7 +276,8 @@ void Foam::fsi::momentumBalance::endMove(const volVectorField& U)
 
     vectorField layer;
     setLayer(U, v, layer);
-    owed_ += density_*(passed.collectWalls(bodies_.ranks()) + layer - layer_);
+    const vectorField& gain = passed.collectWalls(bodies_.ranks());
+    owed_ += perStep(step)*(gain + layer - layer_);
     layer_ = layer;
     wall_ = v;
 }

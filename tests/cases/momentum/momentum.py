@@ -9,6 +9,9 @@ mean over time. In four seconds the momentum in the channel changes by some
 tenths of a per cent of it; without the balance of doc/theory.md, (5.28), the
 stress lacks 3 %.
 
+A disc that moves through a fluid at rest has the drag of a fixed one in a
+stream, with the rule of second order, too.
+
 A fixed disc in a channel (DFG 2D-1) once the flow is steady: the momentum that
 leaves boxes around the disc, from the fluxes, pressures and velocity gradients
 that the solver itself uses on the boxes' faces, against the force in
@@ -29,6 +32,9 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
 import budget     # noqa: E402  beside the validation cases
 import common     # noqa: E402
 import cylinder   # noqa: E402
+
+# Largest error of the drag of a disc that moves, as in the validation
+MOVING = 0.015
 
 CELLS = 10
 VISCOSITY = 1e-3
@@ -96,10 +102,34 @@ def check_channel(report):
                      abs(found[0] - 1) < 0.005, f"{found[0]}")
 
 
+def moving_over_fixed(folder, scheme):
+    """Drag of a disc that moves, D/h = 8, at Re 40, over a fixed one's."""
+    drags = []
+    for frame in (0, 1):
+        case = cylinder.stream(os.path.join(folder, f"{scheme}{frame}"), 8,
+                               frame, time_scheme=scheme)
+        case.solve()
+        forces = [row["forceX"] for row in case.objects() if row["time"] > 1]
+        drags.append(sum(forces)/len(forces))
+    return drags[1]/drags[0]
+
+
+def check_moving(report, folder):
+    """With both rules in time."""
+    for scheme in ("Euler", "backward"):
+        found = report.attempt(scheme, moving_over_fixed, folder, scheme)
+        if found is not None:
+            print(f"    {scheme}: a moving disc has {found:.4f} of a fixed "
+                  "one's drag")
+            report.check(f"{scheme}: drag of a moving disc",
+                         abs(found - 1) < MOVING, f"{found}")
+
+
 def main(folder):
     """The checks."""
     common.FOLDER = folder
     report = fsiCase.Report()
+    check_moving(report, folder)
     check_channel(report)
     case = cylinder.channel("case", CELLS, 0.3, deltaT=0.1/CELLS, endTime=10,
                             writeInterval=10)
