@@ -239,7 +239,7 @@ void Foam::fsi::immersedMembranes::setVelocities
     {
         if (!bodies_.groups()[groupi].hasWalls())
         {
-            v[groupi] = velocity[groupi];
+            v[groupi] = velocity[groupi] + fadedSlip(groupi);
             limit(groupi);
         }
     }

@@ -64,6 +64,39 @@ void Foam::fsi::immersedMembranes::addContact
 }
 
 
+Eigen::MatrixXd Foam::fsi::immersedMembranes::fadedSlip
+(
+    const label groupi
+) const
+{
+    const cartesianMesh& grid = geometry_.grid();
+    const boundBox box(grid.bounds());
+    const label nDims = grid.nDims();
+    const Eigen::MatrixXd& x = bodies_.groups()[groupi].positions();
+    Eigen::MatrixXd slip(slip_[groupi]);
+    for (Eigen::Index column = 0; column < x.cols(); ++column)
+    {
+        const direction d = column % nDims;
+        if (grid.period()[d] > 0)
+        {
+            continue;
+        }
+        const Eigen::ArrayXd gap
+        (
+            (x.col(column).array() - box.min()[d])
+           .min(box.max()[d] - x.col(column).array())/grid.spacing()
+        );
+        slip.middleCols(column - d, nDims).array().colwise() *=
+            gap.max(0).min(1);
+    }
+    if (defence_.valid())
+    {
+        defence_->fade(groupi, slip);
+    }
+    return slip;
+}
+
+
 void Foam::fsi::immersedMembranes::setForces
 (
     const scalar deltaT,
@@ -73,6 +106,7 @@ void Foam::fsi::immersedMembranes::setForces
     nodeLayout::groupNodal force;
     bodies_.layout().zero(force);
     const membraneForceStep step(membraneStepOf(objects_, deltaT));
+    slip_.resize(force.size());
     forAll(force, groupi)
     {
         bodyGroup& group = bodies_.groups()[groupi];
@@ -84,6 +118,10 @@ void Foam::fsi::immersedMembranes::setForces
             );
             addWeight(group, force[groupi]);
             force[groupi] += given[groupi];
+            dynamic_cast<const immersedBodies&>(group).slip
+            (
+                step, force[groupi], slip_[groupi]
+            );
             force[groupi] /= fluid_.density;
         }
     }

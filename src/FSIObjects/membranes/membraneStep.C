@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "membraneStep.H"
+#include "deltaKernel.H"
 #include "immersedMembranes.H"
 #include "sumOverRanks.H"
 
@@ -12,12 +13,16 @@ Foam::fsi::membraneForceStep Foam::fsi::membraneStepOf
     const scalar deltaT
 )
 {
+    const label width = immersedMembranes::readKernel(objects);
     return
     {
         deltaT,
         objects.fluid().dynamicViscosity(),
         objects.grid().spacing(),
-        immersedMembranes::readKernel(objects) == 2 ? scalar(8.5) : scalar(17)
+        width == 2 ? scalar(8.5) : scalar(17),
+        width == 2 ? deltaKernel<2>::lag
+      : width == 3 ? deltaKernel<3>::lag
+      : deltaKernel<4>::lag
     };
 }
 

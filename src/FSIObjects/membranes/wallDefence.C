@@ -35,7 +35,7 @@ void Foam::fsi::wallDefence::forNearNodes
 {
     // The nearest place is at most half a diagonal farther from the centre of
     // the cell than from the node
-    const scalar far = (reach + 0.87)*grid_.spacing();
+    const scalar far = 1.87*grid_.spacing();
     const surfaceSet& mine = bodies_.surfaces();
     labelList face(1);
     label found;
@@ -82,7 +82,7 @@ void Foam::fsi::wallDefence::find
 {
     const scalar least = smallest*grid_.spacing();
     const vectorField& velocities = bodies_.surfaces().velocities();
-    vectorField normal(velocities.size(), Zero), along(normal);
+    vectorField near(velocities.size(), Zero), along(near);
     const auto set = [&]
     (
         const label nodei,
@@ -92,17 +92,34 @@ void Foam::fsi::wallDefence::find
     )
     {
         const scalar ofWall = place.interpolate(velocities) & n;
-        normal[nodei] = n;
+        near[nodei] =
+            min(max(1 - gap/grid_.spacing(), scalar(0)), scalar(1))*n;
         along[nodei] = (ofWall + (min(gap, least) - gap)/deltaT)*n;
     };
     forNearNodes(surfaces, set);
     bodies_.ranks().collect
     ({
-        objectRanks::values::ofNodes(normal),
+        objectRanks::values::ofNodes(near),
         objectRanks::values::ofNodes(along)
     });
-    bodies_.layout().toGroups(normal, normal_);
+    bodies_.layout().toGroups(near, near_);
     bodies_.layout().toGroups(along, least_);
+}
+
+
+void Foam::fsi::wallDefence::fade
+(
+    const label groupi,
+    Eigen::MatrixXd& slip
+) const
+{
+    const label nDims = grid_.nDims();
+    for (Eigen::Index column = 0; column < slip.cols(); column += nDims)
+    {
+        const auto near = near_[groupi].middleCols(column, nDims);
+        slip.middleCols(column, nDims).array().colwise() *=
+            1 - near.rowwise().norm().array();
+    }
 }
 
 
@@ -115,7 +132,12 @@ void Foam::fsi::wallDefence::limit
     const label nDims = grid_.nDims();
     for (Eigen::Index column = 0; column < v.cols(); column += nDims)
     {
-        const auto n = normal_[groupi].middleCols(column, nDims);
+        const auto near = near_[groupi].middleCols(column, nDims);
+        const Eigen::MatrixXd n
+        (
+            near.array().colwise()
+           /near.rowwise().norm().array().max(VSMALL)
+        );
         const auto least = least_[groupi].middleCols(column, nDims);
         auto ofCopy = v.middleCols(column, nDims);
         const Eigen::VectorXd lacking

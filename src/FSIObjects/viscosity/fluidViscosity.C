@@ -201,21 +201,23 @@ void Foam::fsi::fluidViscosity::update
 void Foam::fsi::fluidViscosity::setInside
 (
     const scalarField& inside,
-    const scalarField& more,
+    const scalarField& fluidity,
     const scalar least
 )
 {
     makeFields();
     volScalarField& all = more_();
+    const scalar nu = objects_.fluid().viscosity;
     forAll(all, celli)
     {
-        const scalar others = law_ ? (1 - inside[celli])*all[celli] : 0;
-        all[celli] = others + more[celli];
+        const scalar outside = law_ ? nu + all[celli] : nu;
+        all[celli] =
+            1/(fluidity[celli] + (1 - inside[celli])/outside) - nu;
     }
     if (law_)
     {
         law_->field().primitiveFieldRef() =
-            objects_.fluid().viscosity + all.primitiveField();
+            nu + all.primitiveField();
     }
     setStress(least);
 }

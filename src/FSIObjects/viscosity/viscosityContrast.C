@@ -71,7 +71,7 @@ void Foam::fsi::viscosityContrast::update
     }
     const staggeredLattice& lattice = faces_.lattice();
     insideFraction scan(lattice);
-    scalarField fraction(lattice.size(), Zero), more(fraction);
+    scalarField fraction(lattice.size(), Zero), fluidity(fraction);
     const surfaceSet& surfaces = bodies.surfaces();
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
     {
@@ -89,20 +89,20 @@ void Foam::fsi::viscosityContrast::update
         (
             SubList<point>(surfaces.points(), shape.nNodes(), start),
             shape.faces(),
-            moreInside(shape),
+            1/(fluid_.viscosity + moreInside(shape)),
             fraction,
-            more
+            fluidity
         );
     }
     const labelUList& place = faces_.placeOfCells();
-    scalarField insideCells(place.size()), moreInCells(place.size());
+    scalarField insideCells(place.size()), fluidityInCells(place.size());
     forAll(place, celli)
     {
         const scalar inside = max(fraction[place[celli]], scalar(1));
         insideCells[celli] = fraction[place[celli]]/inside;
-        moreInCells[celli] = more[place[celli]]/inside;
+        fluidityInCells[celli] = fluidity[place[celli]]/inside;
     }
-    viscosity.setInside(insideCells, moreInCells, least);
+    viscosity.setInside(insideCells, fluidityInCells, least);
 }
 
 

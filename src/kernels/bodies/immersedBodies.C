@@ -14,7 +14,8 @@ Foam::fsi::immersedBodies::immersedBodies(const shapeTemplate& shape)
         *shape.sheet(), shape.mesh(), shape.nodeSpacing(), shape.thickness()
     ),
     response_(shape),
-    implicit_(forces_)
+    implicit_(forces_),
+    slip_(shape)
 {
     if (shape.sheet()->membraneViscosity > 0)
     {
@@ -206,9 +207,12 @@ void Foam::fsi::immersedBodies::stepForces
 {
     DynamicList<label> soft, stiff;
     scalar most = explicitPart(step);
+    slipPasses_.setSize(size());
     for (label copyi = 0; copyi < size(); ++copyi)
     {
-        const scalar number = step.number(stiffness(copyi));
+        const scalar modulus = stiffness(copyi);
+        const scalar number = step.number(modulus);
+        slipPasses_[copyi] = slip_.passes(step, modulus);
         most = max(most, number/step.mostImplicit);
         (number > step.mostExplicit ? stiff : soft).append(copyi);
     }
@@ -237,6 +241,28 @@ void Foam::fsi::immersedBodies::stepForces
     if (viscosity_.valid())
     {
         viscosity_->addForce(positions(), force);
+    }
+}
+
+
+void Foam::fsi::immersedBodies::slip
+(
+    const membraneForceStep& step,
+    const Eigen::MatrixXd& force,
+    Eigen::MatrixXd& v
+) const
+{
+    v.setZero(force.rows(), force.cols());
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        slip_.add
+        (
+            step,
+            slipPasses_[copyi],
+            ofCopy(positions(), copyi),
+            ofCopy(force, copyi),
+            ofCopy(v, copyi)
+        );
     }
 }
 

@@ -14,6 +14,7 @@ import fsiCase
 
 sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)),
                              "../../../tutorials/validation"))
+import capsuleInTube  # noqa: E402
 import common  # noqa: E402
 import cylinder  # noqa: E402
 import discs  # noqa: E402
@@ -68,8 +69,8 @@ def main(folder):
             function.__name__,
             lambda: list(itertools.islice(function(), number))) or []
 
-    # A sphere of 8 cells, a tube of 10
-    for function in (fixedWalls.spheres, fixedWalls.tube):
+    # A sphere of 8 cells, tubes of 10 and 8
+    for function in (fixedWalls.spheres, fixedWalls.tube, capsuleInTube.stiff):
         for row in rows(function, 1):
             check(report, row)
 

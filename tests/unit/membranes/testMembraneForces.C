@@ -275,7 +275,7 @@ TEST(membraneForces, onlyStiffCopiesAreImplicit)
     // A step in which the modulus at rest counts 30
     const scalar dt =
         30*resistance/shape->sheet()->stiffness(shape->nodeSpacing(), 1);
-    const membraneForceStep step{dt, resistance/0.5e-6, 0.5e-6, 34};
+    const membraneForceStep step{dt, resistance/0.5e-6, 0.5e-6, 34, 0};
     Eigen::MatrixXd explicitForce, force;
     group->internalForce(explicitForce);
     membranes.stepForces(step, force);
@@ -287,7 +287,8 @@ TEST(membraneForces, onlyStiffCopiesAreImplicit)
     EXPECT_LT(longest, 100.0/30*dt);
     const membraneForceStep tooLong
     {
-        1.01*longest, step.viscosity, step.spacing, step.mostExplicit
+        1.01*longest, step.viscosity, step.spacing, step.mostExplicit,
+        step.lag
     };
     EXPECT_THROW(membranes.stepForces(tooLong, force), Foam::error);
 }
