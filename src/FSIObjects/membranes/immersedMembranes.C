@@ -80,13 +80,13 @@ Foam::fsi::immersedMembranes::immersedMembranes
     if (any && !bodies_.onlyMembranes())
     {
         ghosts_.reset(new wallGhosts(geometry, objects.levelSet()));
+    }
+    if (any)
+    {
         defence_.reset
         (
             new wallDefence(bodies_, geometry.grid(), objects.levelSet())
         );
-    }
-    if (any)
-    {
         faces_.reset(new faceLattice(geometry.grid()));
         transfer_.reset(new staggeredTransfer(faces_->lattice(), width_));
     }
@@ -224,23 +224,14 @@ void Foam::fsi::immersedMembranes::setVelocities
     });
     nodeLayout::groupNodal velocity;
     bodies_.layout().toGroups(part.collect(bodies_.ranks()), velocity);
-    if (defence_.valid())
-    {
-        defence_->find(objects_.surfaces(), deltaT);
-    }
-    const auto limit = [&](const label groupi)
-    {
-        if (defence_.valid())
-        {
-            defence_->limit(groupi, v[groupi]);
-        }
-    };
+    defence_->find(objects_.surfaces(), deltaT);
     forAll(velocity, groupi)
     {
         if (!bodies_.groups()[groupi].hasWalls())
         {
-            v[groupi] = velocity[groupi] + fadedSlip(groupi);
-            limit(groupi);
+            v[groupi] = velocity[groupi];
+            defence_->addFaded(groupi, slip_[groupi], v[groupi]);
+            defence_->limit(groupi, v[groupi]);
         }
     }
     if (apart_.valid())
@@ -256,7 +247,7 @@ void Foam::fsi::immersedMembranes::setVelocities
             (
                 deltaT, v[groupi]
             );
-            limit(groupi);
+            defence_->limit(groupi, v[groupi]);
             carry(groupi, v[groupi]);
         }
     }

@@ -64,39 +64,6 @@ void Foam::fsi::immersedMembranes::addContact
 }
 
 
-Eigen::MatrixXd Foam::fsi::immersedMembranes::fadedSlip
-(
-    const label groupi
-) const
-{
-    const cartesianMesh& grid = geometry_.grid();
-    const boundBox box(grid.bounds());
-    const label nDims = grid.nDims();
-    const Eigen::MatrixXd& x = bodies_.groups()[groupi].positions();
-    Eigen::MatrixXd slip(slip_[groupi]);
-    for (Eigen::Index column = 0; column < x.cols(); ++column)
-    {
-        const direction d = column % nDims;
-        if (grid.period()[d] > 0)
-        {
-            continue;
-        }
-        const Eigen::ArrayXd gap
-        (
-            (x.col(column).array() - box.min()[d])
-           .min(box.max()[d] - x.col(column).array())/grid.spacing()
-        );
-        slip.middleCols(column - d, nDims).array().colwise() *=
-            gap.max(0).min(1);
-    }
-    if (defence_.valid())
-    {
-        defence_->fade(groupi, slip);
-    }
-    return slip;
-}
-
-
 void Foam::fsi::immersedMembranes::setForces
 (
     const scalar deltaT,

@@ -80,6 +80,10 @@ void Foam::fsi::wallDefence::find
     const scalar deltaT
 )
 {
+    if (bodies_.onlyMembranes())
+    {
+        return;
+    }
     const scalar least = smallest*grid_.spacing();
     const vectorField& velocities = bodies_.surfaces().velocities();
     vectorField near(velocities.size(), Zero), along(near);
@@ -107,18 +111,39 @@ void Foam::fsi::wallDefence::find
 }
 
 
-void Foam::fsi::wallDefence::fade
+void Foam::fsi::wallDefence::addFaded
 (
     const label groupi,
-    Eigen::MatrixXd& slip
+    const Eigen::MatrixXd& slip,
+    Eigen::MatrixXd& v
 ) const
 {
+    const boundBox box(grid_.bounds());
     const label nDims = grid_.nDims();
-    for (Eigen::Index column = 0; column < slip.cols(); column += nDims)
+    const Eigen::MatrixXd& x = bodies_.groups()[groupi].positions();
+    for (Eigen::Index column = 0; column < v.cols(); column += nDims)
     {
-        const auto near = near_[groupi].middleCols(column, nDims);
-        slip.middleCols(column, nDims).array().colwise() *=
-            1 - near.rowwise().norm().array();
+        Eigen::ArrayXd part(Eigen::ArrayXd::Ones(v.rows()));
+        for (label d = 0; d < nDims; ++d)
+        {
+            const auto along = x.col(column + d).array();
+            if (grid_.period()[d] == 0)
+            {
+                part *=
+                    (
+                        (along - box.min()[d]).min(box.max()[d] - along)
+                       /grid_.spacing()
+                    ).max(0).min(1);
+            }
+        }
+        if (near_.size())
+        {
+            part *=
+                1 - near_[groupi].middleCols(column, nDims).rowwise().norm()
+               .array();
+        }
+        v.middleCols(column, nDims) +=
+            part.matrix().asDiagonal()*slip.middleCols(column, nDims);
     }
 }
 
@@ -130,7 +155,8 @@ void Foam::fsi::wallDefence::limit
 ) const
 {
     const label nDims = grid_.nDims();
-    for (Eigen::Index column = 0; column < v.cols(); column += nDims)
+    const Eigen::Index end = near_.size() ? v.cols() : 0;
+    for (Eigen::Index column = 0; column < end; column += nDims)
     {
         const auto near = near_[groupi].middleCols(column, nDims);
         const Eigen::MatrixXd n

@@ -15,7 +15,10 @@ Foam::fsi::immersedBodies::immersedBodies(const shapeTemplate& shape)
     ),
     response_(shape),
     implicit_(forces_),
-    slip_(shape)
+    slip_
+    (
+        *shape.sheet(), shape.mesh(), shape.nodeSpacing(), shape.thickness()
+    )
 {
     if (shape.sheet()->membraneViscosity > 0)
     {

@@ -3,6 +3,8 @@
 #include "membraneSlip.H"
 #include "membraneLanes.H"
 
+#include <Eigen/Geometry>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -39,20 +41,19 @@ void Foam::fsi::membraneSlip::setAreas
     Eigen::MatrixXd& normals
 ) const
 {
-    const label nDims = shape_.nDims();
     areas.setZero(positions.rows());
-    normals.setZero(positions.rows(), nDims);
-    for (const surfaceFace& f : shape_.faces())
+    normals.setZero(positions.rows(), nDims_);
+    for (const surfaceFace& f : mesh_.faces)
     {
         const Eigen::Vector3d area
         (
-            areaVector(positions, f, shape_.thickness())/nDims
+            areaVector(positions, f, depth_)/nDims_
         );
         const scalar size = area.norm();
-        for (label k = 0; k < nDims; ++k)
+        for (label k = 0; k < nDims_; ++k)
         {
             areas[f[k]] += size;
-            for (label d = 0; d < nDims; ++d)
+            for (label d = 0; d < nDims_; ++d)
             {
                 normals(f[k], d) += area[d];
             }
@@ -63,27 +64,36 @@ void Foam::fsi::membraneSlip::setAreas
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::fsi::membraneSlip::membraneSlip(const shapeTemplate& shape)
+Foam::fsi::membraneSlip::membraneSlip
+(
+    const sheetMaterial& material,
+    const shapeMesh& mesh,
+    const scalar spacing,
+    const scalar depth
+)
 :
-    shape_(shape),
-    mean_(shape.nNodes(), shape.nNodes())
+    material_(material),
+    mesh_(mesh),
+    spacing_(spacing),
+    depth_(depth),
+    nDims_(mesh.faces[0][2] < 0 ? 2 : 3),
+    mean_(mesh.points.size(), mesh.points.size())
 {
-    const label nDims = shape.nDims();
-    Eigen::MatrixXd x(shape.nNodes(), 3);
-    forAll(shape.mesh().points, nodei)
+    Eigen::MatrixXd x(mesh.points.size(), 3);
+    forAll(mesh.points, nodei)
     {
-        const point& p = shape.mesh().points[nodei];
+        const point& p = mesh.points[nodei];
         x.row(nodei) << p.x(), p.y(), p.z();
     }
     std::vector<Eigen::Triplet<double>> weights;
-    Eigen::ArrayXd total(Eigen::ArrayXd::Zero(shape.nNodes()));
-    for (const surfaceFace& f : shape.faces())
+    Eigen::ArrayXd total(Eigen::ArrayXd::Zero(mesh.points.size()));
+    for (const surfaceFace& f : mesh.faces)
     {
-        const scalar area = areaVector(x, f, shape.thickness()).norm();
-        for (label k = 0; k < nDims; ++k)
+        const scalar area = areaVector(x, f, depth).norm();
+        for (label k = 0; k < nDims_; ++k)
         {
-            total[f[k]] += nDims*area;
-            for (label j = 0; j < nDims; ++j)
+            total[f[k]] += nDims_*area;
+            for (label j = 0; j < nDims_; ++j)
             {
                 weights.emplace_back(f[k], f[j], area);
             }
@@ -105,8 +115,8 @@ Foam::label Foam::fsi::membraneSlip::passes
     // With p passes the wave that grows fastest has the rate
     // 2 d/(e (p + 1)) c a/(mu h) (h/spacing)^2 in d dimensions
     const scalar rate =
-        0.736*shape_.nDims()*step.lag*step.number(modulus)
-       *sqr(step.spacing/shape_.nodeSpacing());
+        0.736*nDims_*step.lag*step.number(modulus)
+       *sqr(step.spacing/spacing_);
     return label(min(max(rate, scalar(1)), scalar(1000)));
 }
 
@@ -144,7 +154,7 @@ void Foam::fsi::membraneSlip::add
         perArea = (mean_*perArea).eval();
     }
     alongSheet(perArea);
-    const scalar inner = shape_.sheet()->innerViscosity;
+    const scalar inner = material_.innerViscosity;
     const scalar perViscosity =
         0.5*(1/step.viscosity + 1/(inner > 0 ? inner : step.viscosity));
     velocity += step.lag*step.spacing*perViscosity*perArea;
