@@ -6,23 +6,47 @@
 
 Foam::label Foam::fsi::wallDefence::cellOf(point& x) const
 {
-    const boundBox box(grid_.bounds());
-    const cartesianBlock mine(grid_.cells());
-    const cartesianBlock halo(grid_.cells(1));
-    labelVector ijk(labelVector::zero);
+    const point least(grid_.bounds().min());
     for (direction d = 0; d < grid_.nDims(); ++d)
     {
         const scalar period = grid_.period()[d];
         if (period > 0)
         {
-            x[d] -= period*std::floor((x[d] - box.min()[d])/period);
+            x[d] -= period*std::floor((x[d] - least[d])/period);
         }
-        ijk[d] = label(std::floor((x[d] - box.min()[d])/grid_.spacing()));
     }
-    return
-        mine.contains(ijk - mine.start())
-      ? halo.index(ijk - halo.start())
-      : -1;
+    // Blocks of ranks may overlap, cells do not
+    const label celli = grid_.findCell(x);
+    return celli < 0 ? -1 : grid_.haloIndex()[celli];
+}
+
+
+void Foam::fsi::wallDefence::setFacesNear
+(
+    const label celli,
+    DynamicList<label>& faces
+) const
+{
+    const cartesianBlock halo(grid_.cells(1));
+    const labelVector centre(halo.ijk(celli));
+    const label k = grid_.nDims() == 3 ? 1 : 0;
+    faces.clear();
+    for (label dz = -k; dz <= k; ++dz)
+    {
+        for (label dy = -1; dy <= 1; ++dy)
+        {
+            for (label dx = -1; dx <= 1; ++dx)
+            {
+                faces.append
+                (
+                    levelSet_.nearestFace
+                    (
+                        halo.index(centre + labelVector(dx, dy, dz))
+                    )
+                );
+            }
+        }
+    }
 }
 
 
@@ -37,7 +61,7 @@ void Foam::fsi::wallDefence::forNearNodes
     // the cell than from the node
     const scalar far = 1.87*grid_.spacing();
     const surfaceSet& mine = bodies_.surfaces();
-    labelList face(1);
+    DynamicList<label> faces;
     label found;
     for (label objecti = 0; objecti < mine.size(); ++objecti)
     {
@@ -50,12 +74,16 @@ void Foam::fsi::wallDefence::forNearNodes
         {
             point x(mine.points()[i]);
             const label here = cellOf(x);
-            face[0] = here < 0 ? -1 : levelSet_.nearestFace(here);
-            if (face[0] < 0 || levelSet_.cellDistance()[here] > far)
+            if
+            (
+                here < 0 || levelSet_.nearestFace(here) < 0
+             || levelSet_.cellDistance()[here] > far
+            )
             {
                 continue;
             }
-            const surfacePlace place(nearestPlace(surfaces, x, face, found));
+            setFacesNear(here, faces);
+            const surfacePlace place(nearestPlace(surfaces, x, faces, found));
             FixedList<scalar, 3> weights;
             const vector away(x - surfaces.nearestOnFace(found, x, weights));
             const vector outward(surfaces.areaNormal(found));
