@@ -113,9 +113,11 @@ Foam::label Foam::fsi::membraneSlip::passes
 ) const
 {
     // With p passes the wave that grows fastest has the rate
-    // 2 d/(e (p + 1)) c a/(mu h) (h/spacing)^2 in d dimensions
+    // 2 d/(e (p + 1)) c a/(mu h) (h/spacing)^2 in d dimensions. As many as the
+    // longest explicit step needs, so that the flow does not depend on the step
+    const scalar number = max(step.number(modulus), step.mostExplicit);
     const scalar rate =
-        0.736*nDims_*step.lag*step.number(modulus)
+        0.736*nDims_*step.lag*number
        *sqr(step.spacing/spacing_);
     return label(min(max(rate, scalar(1)), scalar(1000)));
 }
