@@ -124,8 +124,7 @@ void Foam::fsi::wallDefence::find
     )
     {
         const scalar ofWall = place.interpolate(velocities) & n;
-        near[nodei] =
-            min(max(1 - gap/grid_.spacing(), scalar(0)), scalar(1))*n;
+        near[nodei] = min(max(1 - gap/grid_.spacing(), SMALL), scalar(1))*n;
         along[nodei] = (ofWall + (min(gap, least) - gap)/deltaT)*n;
     };
     forNearNodes(surfaces, set);
