@@ -4,6 +4,17 @@
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
+Eigen::MatrixXd Foam::fsi::rowsOf(const UList<point>& points)
+{
+    Eigen::MatrixXd rows(points.size(), 3);
+    forAll(points, i)
+    {
+        rows.row(i) << points[i].x(), points[i].y(), points[i].z();
+    }
+    return rows;
+}
+
+
 void Foam::fsi::toLanes
 (
     const Eigen::MatrixXd& values,

@@ -79,12 +79,7 @@ Foam::fsi::membraneSlip::membraneSlip
     nDims_(mesh.faces[0][2] < 0 ? 2 : 3),
     mean_(mesh.points.size(), mesh.points.size())
 {
-    Eigen::MatrixXd x(mesh.points.size(), 3);
-    forAll(mesh.points, nodei)
-    {
-        const point& p = mesh.points[nodei];
-        x.row(nodei) << p.x(), p.y(), p.z();
-    }
+    const Eigen::MatrixXd x(rowsOf(mesh.points));
     std::vector<Eigen::Triplet<double>> weights;
     Eigen::ArrayXd total(Eigen::ArrayXd::Zero(mesh.points.size()));
     for (const surfaceFace& f : mesh.faces)

@@ -61,12 +61,7 @@ Foam::fsi::membraneViscosity::membraneViscosity
     rest_(3*mesh.faces.size()),
     natural_(3*mesh.faces.size(), 0)
 {
-    Eigen::MatrixXd x(mesh.points.size(), 3);
-    forAll(mesh.points, nodei)
-    {
-        const point& p = mesh.points[nodei];
-        x.row(nodei) << p.x(), p.y(), p.z();
-    }
+    const Eigen::MatrixXd x(rowsOf(mesh.points));
     forAll(triangles_, i)
     {
         rest_.segment<3>(3*i) = triangleSides(x, triangles_[i]).metric;
