@@ -58,6 +58,17 @@ FEED = ("left { shape cell; velocity (1 0 0); rate 1.1; sideGap 0.2; "
         "minimumGap 0.2; }")
 
 
+def check_middle(report, rows):
+    """The first membrane that came in, at x = 2.4: the flow has made a drop of
+    it. With 12 in place of 8 cells to the radius its half axes are 0.644,
+    0.492 and 0.404, and it moves at 1.694."""
+    row = min(rows, key=lambda row: abs(row["centroidX"] - 2.4))
+    for name, fine in (("halfAxisA", 0.644), ("halfAxisB", 0.492),
+                       ("halfAxisC", 0.404), ("velocityX", 1.694)):
+        report.check(f"membranes go with the flow: {name}",
+                     abs(row[name]/fine - 1) < 0.02, f"{row[name]}, {fine}")
+
+
 def check_through(report, folder):
     """Membranes come in and leave between walls at rest. Outside they keep
     their shapes, inside the flow stretches them."""
@@ -72,10 +83,7 @@ def check_through(report, folder):
     report.check("membranes leave as they are", len(leaving) > 10 and max(
         abs(row["stretch"] - leaving[0]["stretch"]) for row in leaving
         if row["object"] == leaving[0]["object"]) < 1e-6, f"{leaving[-1:]}")
-    report.check("membranes go with the flow",
-                 max(row["velocityX"] for row in rows) < 2
-                 and max(row["stretch"] for row in rows) < 1.6,
-                 str(max(rows, key=lambda row: row["stretch"])))
+    check_middle(report, [row for row in rows if row["object"] == 1])
     last = results.table(case.path, "global.csv")[-1]
     report.check("membranes are fed and leave", last["removed"] >= 1
                  and last["fed"] >= 2 and "left through" in text, str(last))
