@@ -66,8 +66,8 @@ Foam::fsi::contact::contact
         FatalIOErrorInFunction(dict)
             << "Entry 'roughness' in dictionary " << dict.name() << " is "
             << roughness_ << " m but must be at most minimumGap, "
-            << minimumGap_ << " m, and needs rigid bodies that touch: the law"
-            << " 'elastic' without an entry 'stiffness'" << exit(FatalIOError);
+            << minimumGap_ << " m, and needs a law by which rigid bodies"
+            << " touch: all but 'none' and 'thesis'" << exit(FatalIOError);
     }
     if (images_.cyclic() && (needsMedialAxis() || needsInternalForces()))
     {
@@ -111,7 +111,8 @@ Foam::fsi::contactProblem Foam::fsi::contact::problem
     return
     {
         surfaces, velocities, bodies, pairs, scales_.range, step_, exchange_,
-        law_->rigidTouch() ? minimumGap_ : 0, 0.5*scales_.spacing
+        law_->rigidTouch() ? minimumGap_ : 0, 0.5*scales_.spacing,
+        law_->actsOnRigid()
     };
 }
 

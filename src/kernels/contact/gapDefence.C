@@ -164,7 +164,7 @@ Foam::label Foam::fsi::gapDefence::limit
     const contactProblem problem
     {
         moved_, velocities, bodies, closing_, minimumGap_, step, exchange,
-        minimumGap_, patchDepth_
+        minimumGap_, patchDepth_, false
     };
     for (contactPair& pair : closing_.pairs)
     {

@@ -230,12 +230,6 @@ TEST(ContactFilm, badEntries)
     {
         EXPECT_THROW(made("roughness " + word(bad) + ";"), IOerror) << bad;
     }
-    for (const char* law : {"elastic; stiffness 1", "none"})
-    {
-        EXPECT_THROW
-        (
-            made("roughness 1e-3; law { type " + std::string(law) + "; }"),
-            IOerror
-        );
-    }
+    EXPECT_NO_THROW(made("roughness 1e-3; law { type elastic; stiffness 1; }"));
+    EXPECT_THROW(made("roughness 1e-3; law { type none; }"), IOerror);
 }

@@ -121,6 +121,39 @@ TEST(ContactRigid, touchWithoutAStiffness)
 }
 
 
+TEST(ContactRigid, touchBelowALawOfAnyStiffness)
+{
+    // A law that is too weak to hold bodies leaves them to the touch
+    for (const char* stiffness : {"1e-9", "1e-3", "0.3", "100"})
+    {
+        for (const scalar e : {1.0, 0.5})
+        {
+            for (const scalar courant : {0.02, 0.1, 0.5})
+            {
+                rigidBodies world(headOn(0));
+                contact law
+                (
+                    contactOf
+                    (
+                        "law { stiffness " + word(stiffness)
+                      + "; restitution " + std::to_string(e) + "; }"
+                    )
+                );
+                const collision c(world, law, courant*h/0.5, 12);
+                EXPECT_LT(c.energyRatio, 1.001);
+                EXPECT_LT(c.momentumError, 1e-12);
+                EXPECT_GT(c.gap, 0.05*h);
+                EXPECT_GT(c.after, 0);
+                if (word(stiffness) == "1e-9")
+                {
+                    EXPECT_NEAR(c.after, e*c.before, 0.05*e*c.before);
+                }
+            }
+        }
+    }
+}
+
+
 TEST(ContactRigid, wallAndFixedDiscSendBack)
 {
     rigidBodies world;

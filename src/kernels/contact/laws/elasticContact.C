@@ -27,13 +27,13 @@ Foam::fsi::elasticContact::elasticContact
     const contactScales& scales,
     const scalar reach,
     const scalar stiffness,
-    const bool rigidTouch
+    const bool onRigid
 )
 :
     potentialContact(dict, scales),
     stiffness_(stiffness),
     reach_(reach),
-    rigidTouch_(rigidTouch)
+    onRigid_(onRigid)
 {}
 
 
@@ -51,7 +51,7 @@ Foam::fsi::elasticContact::elasticContact
         scales.youngsModulus > 0 || dict.found("stiffness")
       ? scales.stiffness(dict)
       : 0,
-        !dict.found("stiffness")
+        dict.found("stiffness")
     )
 {
     checkKeys(dict, keys({"stiffness"}));

@@ -184,7 +184,7 @@ Foam::scalar Foam::fsi::potentialContact::potentialEnergy
     scalar sum = 0;
     for (const contactPair& pair : problem.found.pairs)
     {
-        if (problem.touch(pair))
+        if (!problem.feelsLaw(pair))
         {
             continue;
         }

@@ -103,7 +103,7 @@ Foam::fsi::contactProblem Foam::fsi::contactFriction::with
     {
         problem.surfaces, problem.velocities, problem.bodies, pairs_,
         problem.range, problem.step, problem.exchange, problem.touching,
-        problem.patchDepth, problem.walls
+        problem.patchDepth, problem.lawOnRigid, problem.walls
     };
 }
 

@@ -104,6 +104,8 @@ void Foam::fsi::contactSolver::reset(const contactProblem& problem)
     addedVelocities_.setSize(nPairs);
     impulses_.setSize(nPairs);
     impulses_ = 0;
+    ruleImpulses_.setSize(nPairs);
+    ruleImpulses_ = 0;
     for (label i = 0; i < nPairs; ++i)
     {
         const contactPair& pair = problem.found.pairs[i];

@@ -43,12 +43,21 @@ Foam::scalar Foam::fsi::contactSolver::relax
     {
         return pair.component > 0 ? 0 : relaxFriction(problem, pairi);
     }
-    if (patches_.has(pairi))
-    {
-        return relaxPatch(problem, pairi);
-    }
+    const scalar moved = patches_.has(pairi) ? relaxPatch(problem, pairi) : 0;
+    return max(moved, relaxRule(problem, rule, pairi));
+}
+
+
+Foam::scalar Foam::fsi::contactSolver::relaxRule
+(
+    const contactProblem& problem,
+    const contactRule& rule,
+    const label pairi
+)
+{
+    const contactPair& pair = problem.found.pairs[pairi];
     const scalar compliance = compliances_[pairi];
-    if (compliance < VSMALL)
+    if (compliance < VSMALL || !problem.feelsLaw(pair))
     {
         return 0;
     }
@@ -56,7 +65,7 @@ Foam::scalar Foam::fsi::contactSolver::relax
     const scalar dt = problem.step.dt;
     const scalar u =
         velocity(problem, pairi) + addedVelocities_[pairi]
-      - compliance*impulses_[pairi];
+      - compliance*ruleImpulses_[pairi];
 
     // With the gap stretched by c an energy s w(c g)/c has the pressure w'
     const scalar c = pair.stretch;
@@ -70,15 +79,16 @@ Foam::scalar Foam::fsi::contactSolver::relax
     );
     endGaps_[pairi] = startGaps_[pairi] + dt*(u + compliance*impulse);
 
-    const scalar change = impulse - impulses_[pairi];
+    const scalar change = impulse - ruleImpulses_[pairi];
     if (change != 0)
     {
         addImpulse(problem, pairi, change);
-        impulses_[pairi] = impulse;
+        impulses_[pairi] = impulse + (impulses_[pairi] - ruleImpulses_[pairi]);
+        ruleImpulses_[pairi] = impulse;
     }
     if (friction_.active())
     {
-        friction_.setLoad(problem, pairi, impulse);
+        friction_.setLoad(problem, pairi, impulses_[pairi]);
     }
     return mag(change)*compliance*dt;
 }
@@ -152,7 +162,9 @@ Foam::scalar Foam::fsi::contactSolver::relaxPatch
         const label i = each.first;
         if (compliances_[i] > VSMALL)
         {
-            const scalar own = impulses_[i] - each.second*patch->impulse();
+            const scalar own =
+                impulses_[i] - ruleImpulses_[i]
+              - each.second*patch->impulse();
             const scalar least = min
             (
                 (0.5*problem.touching - problem.found.pairs[i].gap)/time,
