@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A disc in a lid-driven cavity, 50 steps with the default coupling, for many
-densities, stiffnesses and time steps.
+densities, stiffnesses and time steps; and fewer steps of more, see wide.py.
 
     sweep.py FOLDER          the checks of the default coupling
     sweep.py FOLDER table    a table of all couplings, 200 steps each
@@ -20,6 +20,7 @@ import sys
 
 import fsiCase
 import results
+import wide
 
 CELLS = 32
 STEPS = 50
@@ -184,6 +185,7 @@ def main(folder):
         )
     print(f"    CPU time {total:.0f} s")
 
+    report.attempt("wide sweep", wide.check, report, folder)
     report.attempt("softest bodies", lambda: check_softest(report, folder))
     report.check("weak coupling is seen to be unstable",
                  not stable(folder, UNSTABLE,
