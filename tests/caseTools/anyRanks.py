@@ -22,8 +22,8 @@ OPEN = {"left": ("type fixedValue; value uniform (1 0 0);",
 PLANE_SHAPES = """
 disc { shape { type circle; radius 0.12; } material { density 1.1; E 100; } }
 cell { shape { type circle; radius 0.12; }
-    material { type membrane; density 1; stretchingModulus 10;
-        bendingModulus 0.01; innerViscosity 0.1; } }
+    material { type membrane; density 1; shearModulus 0.25;
+        bendingModulus 1e-4; innerViscosity 0.1; } }
 ball { shape { type circle; radius 0.11; }
     material { density 1.2; type rigid; } }
 post { shape { type circle; radius 0.1; }
@@ -76,8 +76,8 @@ b { type listed; shape ball; objects ({ centre (0.55 0.4 0.52); }); }
 CROWD_SHAPES = """
 disc { shape { type circle; radius 0.09; } material { density 1.1; E 100; } }
 cell { shape { type circle; radius 0.08; }
-    material { type membrane; density 1; stretchingModulus 10;
-        bendingModulus 0.01; innerViscosity 0.1; } }
+    material { type membrane; density 1; shearModulus 0.25;
+        bendingModulus 1e-4; innerViscosity 0.1; } }
 ball { shape { type circle; radius 0.07; }
     material { density 1.2; type rigid; } }
 """

@@ -131,7 +131,7 @@ for modulus in (0.01, 1e8):
     add(f"sphere, E = {modulus:g} rho U^2",
         lid(BALL, f"density 1; E {modulus};", CENTRE, **CUBE))
 add("membrane, 0.001 of the usual stiffness",
-    lid(DISC, "type membrane; density 1; stretchingModulus 0.01; "
+    lid(DISC, "type membrane; density 1; shearModulus 0.0025; "
         "bendingModulus 1e-5; innerViscosity 0.01;"))
 
 # Thin

@@ -15,8 +15,8 @@ disc
 cell
 {
     shape { type circle; radius 0.15; }
-    material { type membrane; density 1; stretchingModulus 10;
-        bendingModulus 0.01; innerViscosity 0.1; }
+    material { type membrane; density 1; shearModulus 0.25;
+        bendingModulus 1e-4; innerViscosity 0.1; }
 }
 """
 

@@ -269,24 +269,4 @@ void Foam::fsi::motionCheck::checkWeight
 }
 
 
-void Foam::fsi::motionCheck::checkFilling(const scalar viscosity) const
-{
-    for (const bodyGroup& group : objects_.groups())
-    {
-        const membraneMaterial* membrane = group.shape().membrane();
-        if (membrane && membrane->innerViscosity < 0.3*viscosity)
-        {
-            WarningInFunction
-                << "Entry 'innerViscosity' of shape " << group.shape().name()
-                << " is " << membrane->innerViscosity << ", below 0.3 of the"
-                << " fluid's viscosity, " << viscosity << " Pa s: the skin does"
-                << " not go round as it should" << nl
-                << "    A shearModulus in place of stretchingModulus makes it"
-                << " a sheet inside the fluid, see the user guide" << nl
-                << endl;
-        }
-    }
-}
-
-
 // ************************************************************************* //

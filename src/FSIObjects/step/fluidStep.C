@@ -75,11 +75,9 @@ Foam::fsi::fluidStep::fluidStep
     objects.frame().check(U_, objects.bodies(), objects.properties());
     setSolidVelocity();
     scalars_.reset(new carriedScalars(objects, geometry_));
-    const motionCheck motion(objects.bodies(), U_.time());
-    motion.checkFilling(objects.fluid().dynamicViscosity());
     if (objects.driving().type() == "none")
     {
-        motion.checkWeight
+        motionCheck(objects.bodies(), U_.time()).checkWeight
         (
             U_.mesh().boundaryMesh(), objects.sides().period(),
             objects.gravity(), objects.fluid().density

@@ -158,7 +158,7 @@ bool Foam::fsi::seeding::needsInside(const dictionary& dict) const
     return
         material.lookupOrDefault<word>("type", "") != "rigid"
      && !(domain_.nDims == 3 && prescribed)
-     && !sheetMaterial::chosen(material, domain_.nDims);
+     && !sheetMaterial::chosen(material);
 }
 
 
@@ -215,7 +215,7 @@ void Foam::fsi::seeding::addShape
     );
     if (objects_.groups().last().movesFreely())
     {
-        const scalar cells = minimumCells(dict, domain_.nDims);
+        const scalar cells = minimumCells(dict);
         thickness_.append(seedRecord::thickness{name, thickness, cells});
     }
 }

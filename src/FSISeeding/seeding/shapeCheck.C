@@ -101,7 +101,7 @@ static scalar checkThickness
     const seedDomain& domain
 )
 {
-    const scalar cells = minimumCells(dict, domain.nDims);
+    const scalar cells = minimumCells(dict);
     const scalar least = cells*domain.spacing;
     const scalar thickness = body.minimumThickness();
     if (thickness < least)
@@ -138,14 +138,9 @@ static scalar checkThickness
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::minimumCells
-(
-    const dictionary& dict,
-    const direction nDims
-)
+Foam::scalar Foam::fsi::minimumCells(const dictionary& dict)
 {
-    const bool immersed =
-        sheetMaterial::chosen(dict.subDict("material"), nDims);
+    const bool immersed = sheetMaterial::chosen(dict.subDict("material"));
     return readNonNegative(dict, "minimumCells", immersed ? 1 : 3);
 }
 

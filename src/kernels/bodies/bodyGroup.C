@@ -3,7 +3,6 @@
 #include "bodyMotion.H"
 #include "elasticBodies.H"
 #include "immersedBodies.H"
-#include "membraneBodies.H"
 #include "openfoamVersion.H"
 #include "prescribedBodies.H"
 #include "rigidBodies.H"
@@ -59,7 +58,7 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
     }
     if
     (
-        (shape.sheet() || shape.membrane())
+        shape.sheet()
      && !(freedom.movesFreely() && freedom.turnsFreely())
     )
     {
@@ -80,10 +79,6 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
             << " elements inside, so that it is rigid or has a prescribed"
             << " motion; entry 'type' of its material is none of rigid, or"
             << " entry 'type' of its motion is free" << exit(FatalIOError);
-    }
-    if (shape.membrane())
-    {
-        return autoPtr<bodyGroup>(new membraneBodies(shape));
     }
     return autoPtr<bodyGroup>(new elasticBodies(shape, freedom));
 }

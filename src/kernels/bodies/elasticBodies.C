@@ -1,37 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "elasticBodies.H"
-#include "elementEnergy.H"
 #include "elementViscosity.H"
 #include "matrixEntry.H"
 #include "rigidForce.H"
 
 // * * * * * * * * * * * * Protected Member Functions * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::elasticBodies::addTerms
-(
-    const label copyi,
-    Eigen::MatrixXd* force
-) const
-{
-    return addElementEnergy(shape(), positions(), copyi, force);
-}
-
-
 void Foam::fsi::elasticBodies::resizeState(const label nCopies)
 {
-    deformableBodies::resizeState(nCopies);
     const label nRows = shape().nBoundaryNodes();
     meanLoad_.conservativeResize(nRows, shape().nDims()*nCopies);
     lastLoad_.conservativeResize(nRows, shape().nDims()*nCopies);
+    if (shape().law().hasState())
+    {
+        springStates_.conservativeResize(shape().springs().size(), nCopies);
+    }
 }
 
 
 void Foam::fsi::elasticBodies::startState(const label copyi)
 {
-    deformableBodies::startState(copyi);
     ofCopy(meanLoad_, copyi).setZero();
     ofCopy(lastLoad_, copyi).setZero();
+    if (shape().law().hasState())
+    {
+        springStates_.col(copyi).setZero();
+    }
 }
 
 
@@ -41,7 +36,10 @@ void Foam::fsi::elasticBodies::exchangeState
     copyValues& values
 )
 {
-    deformableBodies::exchangeState(copyi, values);
+    if (shape().law().hasState())
+    {
+        values.block(springStates_.col(copyi));
+    }
     values.block(ofCopy(meanLoad_, copyi));
     values.block(ofCopy(lastLoad_, copyi));
 }
@@ -51,7 +49,10 @@ void Foam::fsi::elasticBodies::writeState(Ostream& os) const
 {
     writeMatrix(os, "meanLoad", meanLoad_);
     writeMatrix(os, "lastLoad", lastLoad_);
-    deformableBodies::writeState(os);
+    if (shape().law().hasState())
+    {
+        writeMatrix(os, "springStates", springStates_);
+    }
 }
 
 
@@ -59,7 +60,10 @@ void Foam::fsi::elasticBodies::readState(const dictionary& dict)
 {
     readMatrix(dict, "meanLoad", meanLoad_);
     readMatrix(dict, "lastLoad", lastLoad_);
-    deformableBodies::readState(dict);
+    if (shape().law().hasState())
+    {
+        readMatrix(dict, "springStates", springStates_);
+    }
 }
 
 
@@ -71,14 +75,41 @@ Foam::fsi::elasticBodies::elasticBodies
     const bodyFreedom& freedom
 )
 :
-    deformableBodies(shape, freedom),
-    meanLoad_(shape.nBoundaryNodes(), 0),
-    lastLoad_(shape.nBoundaryNodes(), 0),
+    bodyGroup(shape, freedom),
+    response_(shape, freedom),
     solver_(shape)
-{}
+{
+    elasticBodies::resizeState(0);
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::elasticBodies::begin
+(
+    const scalar time,
+    const scalar dt,
+    const scalar ratio
+)
+{
+    const springLaw& law = shape().law();
+    if
+    (
+        shape().viscosity() > 0
+     || law.hasState()
+     || law.stiffnessRatio(dt) != 1
+    )
+    {
+        FatalErrorInFunction
+            << "Shape " << shape().name() << " has a viscosity (springs "
+            << law.type() << "), whose rule is of first order in time: with it"
+            << " ddtSchemes must be Euler. Of second order are the materials"
+            << " rigid, and Hookean and neoHookean without viscosity"
+            << exit(FatalError);
+    }
+    bodyGroup::begin(time, dt, ratio);
+}
+
 
 Eigen::MatrixXd Foam::fsi::elasticBodies::splitLoad(Eigen::MatrixXd& load)
 {
@@ -135,7 +166,7 @@ void Foam::fsi::elasticBodies::predict
         dt,
         {
             start(), startVelocities(), viscous ? total : force,
-            springStates(), secondOrder(),
+            springStates_, secondOrder(),
             shape().held().empty() ? nullptr : &anchors()
         },
         copies,
@@ -155,6 +186,16 @@ void Foam::fsi::elasticBodies::predict
 void Foam::fsi::elasticBodies::prepareResponse(const scalar dt)
 {
     response_.prepare(dt, positions());
+}
+
+
+void Foam::fsi::elasticBodies::constrain
+(
+    const scalar dt,
+    Eigen::MatrixXd& v
+) const
+{
+    response_.constrainVolume(dt, start(), v);
 }
 
 

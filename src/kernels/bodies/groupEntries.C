@@ -24,7 +24,7 @@ Foam::labelList Foam::fsi::readGroupIds
             "FoamFile", "motion", "shape", "objectIds", "positions",
             "velocities", "lastMean", "lastVelocities", "meanLoad",
             "lastLoad", "owedImpulse", "contactRange", "contactForce",
-            "periods", "springStates", "triangles", "anchors",
+            "periods", "springStates", "anchors",
             "elasticForces", "naturalMetrics"
         }
     );

@@ -175,14 +175,12 @@ void Foam::fsi::groupContact::setResponse
         setInternalForces(surfaces, objects, bodies);
     }
     const bodyResponse& response = group_.response();
-    for (label copyi = 0; copyi < objects.size() && response.matrix(); ++copyi)
+    if (response.hasMatrix())
     {
-        bodies.setInverse
-        (
-            objects[copyi],
-            &response.matrix()->boundaryInverse(copyi),
-            response.matrix()->coupled()
-        );
+        for (const label objecti : objects)
+        {
+            bodies.setInverse(objecti, &response.matrix().boundaryInverse());
+        }
     }
     for (const bodyResponse::mode& mode : response.modes())
     {

@@ -97,8 +97,7 @@ Foam::scalar Foam::fsi::elasticMaterial::newShearModulus
 Foam::fsi::elasticMaterial::elasticMaterial
 (
     const dictionary& material,
-    const direction nDims,
-    const bool membrane
+    const direction nDims
 )
 :
     nDims_(nDims),
@@ -109,7 +108,7 @@ Foam::fsi::elasticMaterial::elasticMaterial
         readChoice(material, "calibration", "patch", {"patch", "vanGelder"})
      == "patch"
     ),
-    youngsModulus(membrane ? 0 : readPositive(material, "E")),
+    youngsModulus(readPositive(material, "E")),
     areaStiffness
     (
         readNonNegative(material, "areaStiffness", 10*youngsModulus)

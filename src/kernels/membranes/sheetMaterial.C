@@ -2,7 +2,34 @@
 
 #include "sheetMaterial.H"
 #include "dictionaryCheck.H"
-#include "membraneMaterial.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- The law; FatalIOError for the modulus of earlier versions
+static autoPtr<membraneLaw> newLaw(const dictionary& dict)
+{
+    const word old("stretchingModulus");
+    if (dict.found(old))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << old << "' in dictionary " << dict.name()
+            << " was the modulus of membranes with a filling, in two"
+            << " dimensions; membranes are sheets inside the fluid now" << nl
+            << "    For the same tension write shearModulus with a quarter of"
+            << " its value (areaModulus is three quarters by default), and"
+            << " restCurvature flat in place of 0" << exit(FatalIOError);
+    }
+    return membraneLaw::New(dict);
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -12,7 +39,7 @@ Foam::fsi::sheetMaterial::sheetMaterial
     const direction nDims
 )
 :
-    law(membraneLaw::New(dict)),
+    law(newLaw(dict)),
     shearModulus(law->modulus()),
     bendingModulus(readNonNegative(dict, "bendingModulus", 0)),
     flat
@@ -57,24 +84,25 @@ Foam::autoPtr<Foam::fsi::sheetMaterial> Foam::fsi::sheetMaterial::New
 {
     return autoPtr<sheetMaterial>
     (
-        chosen(dict, nDims) ? new sheetMaterial(dict, nDims) : nullptr
+        chosen(dict) ? new sheetMaterial(dict, nDims) : nullptr
     );
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::fsi::sheetMaterial::chosen
-(
-    const dictionary& dict,
-    const direction nDims
-)
+bool Foam::fsi::sheetMaterial::chosen(const dictionary& dict)
 {
     return
-        membraneMaterial::chosen(dict)
-     && !membraneMaterial::filled(dict, nDims);
+        readChoice
+        (
+            dict,
+            "type",
+            "elastic",
+            {"elastic", "neoHookean", "membrane", "rigid"}
+        )
+     == "membrane";
 }
-
 
 
 Foam::scalar Foam::fsi::sheetMaterial::stiffness

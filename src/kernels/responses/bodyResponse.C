@@ -25,13 +25,12 @@ void Foam::fsi::bodyResponse::addModes
 
 void Foam::fsi::bodyResponse::respond
 (
-    const label nModes,
     const Eigen::MatrixXd& force,
     Eigen::MatrixXd& v
 ) const
 {
     const direction nDims = shape_.nDims();
-    if (matrix_.valid() && nCopies())
+    if (matrix_)
     {
         v = force;
         matrix_->solve(v);
@@ -42,13 +41,12 @@ void Foam::fsi::bodyResponse::respond
     }
     for (label copyi = 0; copyi < nCopies(); ++copyi)
     {
-        for (label k = 0; k < nModes; ++k)
+        for (const mode& m : modes_)
         {
-            const Eigen::MatrixXd& m = modes_[k].values;
             const scalar amount =
-                modes_[k].sign*rigidModes::product(m, force, nDims, copyi);
+                m.sign*rigidModes::product(m.values, force, nDims, copyi);
             v.middleCols(nDims*copyi, nDims) +=
-                amount*m.middleCols(nDims*copyi, nDims);
+                amount*m.values.middleCols(nDims*copyi, nDims);
         }
     }
     v *= deltaT_;
@@ -60,10 +58,10 @@ void Foam::fsi::bodyResponse::respond
 Foam::fsi::bodyResponse::bodyResponse
 (
     const shapeTemplate& shape,
-    autoPtr<responseMatrix> matrix
+    const bool hasMatrix
 )
 :
-    matrix_(std::move(matrix)),
+    hasMatrix_(hasMatrix),
     shape_(shape)
 {}
 
@@ -73,17 +71,13 @@ Foam::fsi::bodyResponse::bodyResponse
 void Foam::fsi::bodyResponse::prepare
 (
     const scalar dt,
-    const Eigen::MatrixXd& positions,
-    const List<List<bodyElement>>& triangles
+    const Eigen::MatrixXd& positions
 )
 {
     deltaT_ = dt;
     positions_ = positions;
     masses_ = stepMasses(shape_, dt);
-    if (matrix_.valid() && nCopies())
-    {
-        matrix_->prepare(dt, positions, triangles);
-    }
+    matrix_ = hasMatrix_ && nCopies() ? &shape_.factor(dt) : nullptr;
     modes_.clear();
     if (nCopies())
     {
@@ -169,26 +163,30 @@ void Foam::fsi::bodyResponse::respondRoughly
     Eigen::MatrixXd& v
 ) const
 {
-    if (matrix_.valid() && nCopies())
+    if (!matrix_)
     {
-        matrix_->solveBoundary(force, v);
+        v.setZero(force.rows(), force.cols());
+    }
+    else if (shape_.nDims() == 3 && matrix_->boundaryFill() > 0.25)
+    {
+        // On the surface of a solid body nearly all nodes feel each other
+        matrix_->solveFullBoundary(force, v);
     }
     else
     {
-        v.setZero(force.rows(), force.cols());
+        matrix_->solveBoundary(force, v);
     }
 }
 
 
 Foam::scalar Foam::fsi::bodyResponse::roughMobility
 (
-    const label copyi,
+    const label,
     const label nodei,
-    const label component
+    const label
 ) const
 {
-    return
-        matrix_.valid() ? 1/matrix_->diagonal(copyi, nodei, component) : 0;
+    return matrix_ ? 1/matrix_->matrix().coeff(nodei, nodei) : 0;
 }
 
 

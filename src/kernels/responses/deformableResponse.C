@@ -12,16 +12,16 @@ void Foam::fsi::deformableResponse::solveModes
     rigidModes::modeList& modes
 ) const
 {
-    if (shape_.nDims() == 3 && !matrix()->coupled())
+    if (shape_.nDims() == 3)
     {
         columnBasis basis(modes, shape_.nDims());
-        matrix()->solve(basis.values());
+        matrix().solve(basis.values());
         basis.combine(modes);
         return;
     }
     for (Eigen::MatrixXd& mode : modes)
     {
-        matrix()->solve(mode);
+        matrix().solve(mode);
     }
 }
 
@@ -126,7 +126,7 @@ void Foam::fsi::deformableResponse::addVolumeMode()
     }
 
     Eigen::MatrixXd c(gradient);
-    matrix()->solve(c);
+    matrix().solve(c);
     for (label copyi = 0; copyi < nCopies(); ++copyi)
     {
         auto own = c.middleCols(nDims*copyi, nDims);
@@ -172,7 +172,7 @@ Foam::fsi::deformableResponse::deformableResponse
     const bodyFreedom& freedom
 )
 :
-    bodyResponse(shape, responseMatrix::New(shape)),
+    bodyResponse(shape, true),
     freedom_(freedom)
 {}
 

@@ -3,7 +3,6 @@
 #include "shapeTemplate.H"
 #include "dictionaryCheck.H"
 #include "massPoints.H"
-#include "springNetwork.H"
 #include "stepMatrix.H"
 #include "surfaceAlone.H"
 
@@ -20,6 +19,32 @@ static label heldNodesOf(const shapeMesh& mesh)
     return mesh.elements.empty() ? mesh.nBoundary : mesh.points.size();
 }
 
+
+//- Lengths of springs as the solver computes them, so that a body at rest has
+//  no force [m]
+static scalarField lengths
+(
+    const shapeMesh& mesh,
+    const edgeList& springs,
+    const direction nDims
+)
+{
+    scalarField lengths(springs.size());
+    forAll(springs, springi)
+    {
+        const vector d =
+            mesh.points[springs[springi][1]]
+          - mesh.points[springs[springi][0]];
+        scalar squares = 0;
+        for (label i = 0; i < nDims; ++i)
+        {
+            squares += d[i]*d[i];
+        }
+        lengths[springi] = std::sqrt(squares);
+    }
+    return lengths;
+}
+
 } // End namespace fsi
 } // End namespace Foam
 
@@ -28,7 +53,7 @@ static label heldNodesOf(const shapeMesh& mesh)
 
 void Foam::fsi::shapeTemplate::setGeometry()
 {
-    restLengths_ = springNetwork::lengths(mesh_, springs_, nDims_);
+    restLengths_ = lengths(mesh_, springs_, nDims_);
     volumeTerm_ = elastic_->newVolumeTerm(mesh_, thickness_);
     referenceVolume_ = sum(volumeTerm_->volumes())/thickness_;
 }
@@ -36,12 +61,12 @@ void Foam::fsi::shapeTemplate::setGeometry()
 
 void Foam::fsi::shapeTemplate::checkEntries(const dictionary& dict) const
 {
-    const bool iterates = !membrane_.valid() && !sheet_.valid() && !rigid_;
+    const bool iterates = elastic_.valid();
     if (iterates)
     {
         elastic_->checkEntries(materialDict_);
     }
-    if (!held_.empty() && (membrane_.valid() || sheet_.valid()))
+    if (!held_.empty() && sheet_.valid())
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'hold' in dictionary " << dict.name()
@@ -62,29 +87,16 @@ void Foam::fsi::shapeTemplate::checkEntries(const dictionary& dict) const
 }
 
 
-void Foam::fsi::shapeTemplate::setMaterial(const bool newMaterial)
+void Foam::fsi::shapeTemplate::setMaterial()
 {
-    if (membrane_.valid())
-    {
-        springConstants_ =
-            membrane_->springConstants(mesh_, restLengths_, thickness_);
-        bending_.reset(new bendingTerm(mesh_, *membrane_, thickness_));
-        youngsModulus_ = membrane_->youngsModulus(referenceVolume_);
-    }
-    else if (newMaterial)
-    {
-        springConstants_ = elastic_->springConstants
-        (
-            mesh_, springs_, *volumeTerm_, thickness_
-        );
-    }
-    if (newMaterial)
-    {
-        nodeMasses_ = elastic_->nodeMasses
-        (
-            mesh_, *volumeTerm_, thickness_, density_
-        );
-    }
+    springConstants_ = elastic_->springConstants
+    (
+        mesh_, springs_, *volumeTerm_, thickness_
+    );
+    nodeMasses_ = elastic_->nodeMasses
+    (
+        mesh_, *volumeTerm_, thickness_, density_
+    );
 }
 
 
@@ -135,14 +147,13 @@ Foam::fsi::shapeTemplate::shapeTemplate
     nodeSpacing_(nodeSpacing),
     materialDict_(dict.subDict("material")),
     density_(readPositive(materialDict_, "density")),
-    membrane_(membraneMaterial::New(materialDict_, nDims)),
     sheet_(sheetMaterial::New(materialDict_, nDims)),
     rigid_(materialDict_.lookupOrDefault<word>("type", "") == "rigid"),
     elastic_
     (
         rigid_ || sheet_.valid()
       ? nullptr
-      : new elasticMaterial(materialDict_, nDims, membrane_.valid())
+      : new elasticMaterial(materialDict_, nDims)
     ),
     youngsModulus_(elastic_.valid() ? elastic_->youngsModulus : GREAT),
     admm_
@@ -157,7 +168,7 @@ Foam::fsi::shapeTemplate::shapeTemplate
       ? withoutElements(mesh, nDims, sheet_.valid())
       : mesh
     ),
-    springs_(springNetwork::springs(mesh_, membrane_.valid())),
+    springs_(mesh_.edges()),
     held_
     (
         newMaterial
@@ -178,7 +189,10 @@ Foam::fsi::shapeTemplate::shapeTemplate
         return;
     }
     setGeometry();
-    setMaterial(newMaterial);
+    if (newMaterial)
+    {
+        setMaterial();
+    }
 }
 
 
@@ -209,13 +223,6 @@ const Foam::fsi::admmFactor& Foam::fsi::shapeTemplate::factor
         FatalErrorInFunction
             << "Time step " << dt << " s of shape " << name_
             << " must be > 0" << exit(FatalError);
-    }
-
-    if (membrane_.valid())
-    {
-        FatalErrorInFunction
-            << "Shape " << name_ << " is a membrane: its copies have matrices"
-            << " of their own" << exit(FatalError);
     }
 
     return factors_.get

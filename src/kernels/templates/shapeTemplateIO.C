@@ -17,7 +17,7 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
     putEntry(os, "thickness", thickness_);
     putEntry(os, "nodeSpacing", nodeSpacing_);
     putDict(os, "material", materialDict_);
-    if (!membrane_.valid() && elastic_.valid())
+    if (elastic_.valid())
     {
         admm_.write(os);
     }

@@ -145,22 +145,6 @@ def check_one_place(report, folder):
                                 "shape a", "overlap at the start"))
 
 
-def check_filling(report, folder):
-    """A warning of a membrane whose filling is thin."""
-    for inside, warns in ((0.0029, True), (0.0031, False)):
-        case = fsiCase.Case(
-            os.path.join(folder, "filling"), cells=(32, 32), endTime=0.01,
-            shapes="cell { shape { type circle; radius 0.2; } material { "
-                   "type membrane; density 1; stretchingModulus 10; "
-                   f"bendingModulus 0.01; innerViscosity {inside}; }} }}",
-            placements="a { type listed; shape cell; objects "
-                       "({ centre (0.5 0.5 0); }); }").set_up()
-        log = case.run("fsiPisoFoam")
-        report.check(f"a filling of {inside/0.01} of the fluid's viscosity",
-                     ("Entry 'innerViscosity' of shape cell" in log) == warns,
-                     log[-300:])
-
-
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -168,7 +152,6 @@ def main(folder):
     check_prescribed(report, folder)
     check_fed(report, folder)
     check_one_place(report, folder)
-    report.attempt("filling", check_filling, report, folder)
 
 
 if __name__ == "__main__":

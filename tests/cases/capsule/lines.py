@@ -68,15 +68,8 @@ def dense(report, folder):
             stdout=subprocess.PIPE, text=True, env={
                 **os.environ, "PYTHONPATH": os.path.dirname(fsiCase.__file__)})
         path = os.path.join(path, made.stdout.strip())
-        for name, old, new in (
-                ("system/seedObjectsDict", "stretchingModulus   500;",
-                 "shearModulus 125; areaModulus 375;"),
-                ("constant/fsiProperties", "contact\n",
-                 f"membranes {{ kernel {kernel}; }}\ncontact\n")):
-            text = results.read(path, name)
-            with open(os.path.join(path, name), "w",
-                      encoding="ascii") as stream:
-                stream.write(text.replace(old, new, 1))
+        fsiCase.set_entry(os.path.join(path, "constant/fsiProperties"),
+                          "kernel", kernel)
         for command in ("blockMesh", "seedObjects", "fsiPisoFoam"):
             fsiCase.run(path, command)
         viscosity = suspension.driving_viscosity(path)

@@ -36,8 +36,6 @@ BODIES = {
     "soft": "E 300;",
     "stiff": "E 1e6;",
     "rigid": "type rigid;",
-    "membrane": "type membrane; stretchingModulus 100; bendingModulus 0.5; "
-                "innerViscosity 1;",
 }
 
 

@@ -33,7 +33,7 @@ ENTRIES = (
     ("system/controlDict", "writeInterval", (0, 1, 0)),
     ("system/seedObjectsDict", "radius", (1, 0, 0)),
     ("system/seedObjectsDict", "density", (-3, 0, 1)),
-    ("system/seedObjectsDict", "stretchingModulus", (0, -2, 1)),
+    ("system/seedObjectsDict", "shearModulus", (0, -2, 1)),
     ("system/seedObjectsDict", "bendingModulus", (2, -2, 1)),
     ("system/seedObjectsDict", "innerViscosity", (-1, -1, 1)),
     ("system/seedObjectsDict", "minimumGap", (1, 0, 0)),

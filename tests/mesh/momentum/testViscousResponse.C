@@ -247,18 +247,4 @@ TEST(viscousResponse, ofSolidBodiesIsThatOfADenseMatrix)
 }
 
 
-TEST(viscousResponse, ofMembranesIsThatOfADenseMatrix)
-{
-    expectDense
-    (
-        *disc
-        (
-            "type membrane; density 1000; stretchingModulus 30;"
-            " bendingModulus 1e-3; innerViscosity 1;"
-        ),
-        2
-    );
-}
-
-
 // ************************************************************************* //

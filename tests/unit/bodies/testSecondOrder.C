@@ -18,16 +18,13 @@ namespace
 //- Disc of radius 0.1 m, thickness 1 m
 std::unique_ptr<shapeTemplate> softShape(const string& material)
 {
-    const bool membrane = material.find("membrane") != string::npos;
     return newShapeTemplate
     (
         "disc",
         dictionaryOf
         (
             "shape { type circle; radius 0.1; } material { " + material + " }"
-          + (
-                membrane ? "" : "admm { iterations 300; tolerance 1e-13; }"
-            )
+            " admm { iterations 300; tolerance 1e-13; }"
         ),
         0.03,
         1.0,
@@ -138,18 +135,6 @@ TEST(secondOrder, elasticBodies)
         EXPECT_GT(orderOf(*shape, 20, 80, false), 1.8) << material;
         EXPECT_GT(orderOf(*shape, 20, 80, true), 1.8) << material;
     }
-}
-
-
-TEST(secondOrder, membranes)
-{
-    auto shape = softShape
-    (
-        "type membrane; density 1000; stretchingModulus 500;"
-        " bendingModulus 0.1; innerViscosity 1;"
-    );
-    EXPECT_GT(orderOf(*shape, 20, 160, false), 1.8);
-    EXPECT_GT(orderOf(*shape, 20, 160, true), 1.8);
 }
 
 

@@ -149,22 +149,6 @@ TEST(ContactSoft, responseIsThatOfTheGroup)
 }
 
 
-TEST(ContactSoft, responseIsThatOfMembranes)
-{
-    // Both components are coupled
-    softDiscs c
-    (
-        "shape { type circle; radius 0.1; } material { type membrane; "
-        "density 1; stretchingModulus 10; bendingModulus 1e-3; "
-        "innerViscosity 1; }",
-        spacing
-    );
-    c.add(vector(-0.13, 0, 0), Zero, 0.3);
-    c.add(vector(0.13, 0.05, 0), Zero, 1);
-    expectGroupResponse(c);
-}
-
-
 TEST(ContactSoft, headOnAndOblique)
 {
     for (const scalar offset : {0.0, 0.1})

@@ -195,10 +195,7 @@ TEST(badMesh, withAnInvertedElementIsRefused)
 
 TEST(badMembrane, isRefusedWithFileAndKey)
 {
-    const string good
-    (
-        "type membrane; density 1000; stretchingModulus 1; innerViscosity 1;"
-    );
+    const string good("type membrane; density 1000; shearModulus 1;");
     const auto errorIn = [](const string& material)
     {
         return errorOf(circle, material, "");
@@ -207,15 +204,14 @@ TEST(badMembrane, isRefusedWithFileAndKey)
     // errorOf() writes an entry `admm`, which is looked at last
     expectError(errorIn(good), {"admm", "membrane"});
     expectError(errorIn("type gum; density 1;"), {"gum", "membrane"});
-    expectError(errorIn(good + "E 1e4;"), {"E", "stretchingModulus"});
+    expectError(errorIn(good + "E 1e4;"), {"E", "shearModulus"});
     expectError(errorIn(good + "innerViscosity -1;"), {"innerViscosity"});
-    expectError(errorIn(good + "stretchingModulus 0;"), {"stretchingModulus"});
     expectError(errorIn(good + "bendingModulus -1;"), {"bendingModulus"});
-    expectError(errorIn(good + "restCurvature flat;"), {"flat", "shape"});
+    expectError(errorIn(good + "restCurvature 0;"), {"restCurvature", "word"});
     expectError
     (
         errorIn("type membrane; density 1; stretchingModulus 1;"),
-        {"innerViscosity"}
+        {"stretchingModulus", "shearModulus", "areaModulus"}
     );
 }
 

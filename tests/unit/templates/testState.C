@@ -2,8 +2,8 @@
 
 #include "rigidForce.H"
 #include "errorOf.H"
-#include "samples/membraneSamples.H"
 #include "OStringStream.H"
+#include "samples/samples.H"
 
 #include <gtest/gtest.h>
 
@@ -111,54 +111,6 @@ TEST(state, templateRoundTripKeepsEveryBit)
         auto b = moving(restored);
         expectSame(*a, *b);
     }
-}
-
-
-TEST(state, membraneRoundTripKeepsEveryBit)
-{
-    auto shape = membraneOf("0.1 0.1", typical);
-    auto group = groupOf(*shape);
-    for (label i = 0; i < 2; ++i)
-    {
-        group->append(point(i, 0, 0), tensor::I, Zero, Zero, i);
-    }
-    // Inner nodes change places, so that triangles of copy 1 are replaced
-    Eigen::MatrixXd& x = group->positions();
-    for (label i = shape->nBoundaryNodes(); i < x.rows(); ++i)
-    {
-        const scalar r2 = sqr(x(i, 2) - 1) + sqr(x(i, 3));
-        const scalar angle = 1.5*(1 - r2/0.01);
-        const scalar c = std::cos(angle), s = std::sin(angle);
-        const scalar dx = x(i, 2) - 1, dy = x(i, 3);
-        x(i, 2) = 1 + c*dx - s*dy;
-        x(i, 3) = s*dx + c*dy;
-    }
-    run(*group, unevenForce(*group, 0.1), 1e-3, 2);
-    ASSERT_FALSE(group->elements(1) == shape->elements());
-
-    for (const format fmt : {IOstream::ASCII, IOstream::BINARY})
-    {
-        auto restored = groupOf(*shape);
-        IStringStream is(written(*group, fmt), fmt);
-        restored->read(dictionary(is));
-        EXPECT_TRUE(restored->elements(1) == group->elements(1));
-
-        auto original = groupOf(*shape);
-        IStringStream again(written(*group, fmt), fmt);
-        original->read(dictionary(again));
-        run(*original, unevenForce(*group, 0.1), 1e-3, 3);
-        run(*restored, unevenForce(*group, 0.1), 1e-3, 3);
-        EXPECT_EQ(original->positions(), restored->positions());
-
-        IStringStream shapeStream(written(*shape, fmt), fmt);
-        const shapeTemplate again2(shapeStream);
-        EXPECT_TRUE(again2.nodeMasses() == shape->nodeMasses());
-        EXPECT_TRUE(again2.springConstants() == shape->springConstants());
-        EXPECT_TRUE(again2.membrane());
-    }
-
-    group->remove(labelList({0}));
-    EXPECT_FALSE(group->elements(0) == shape->elements());
 }
 
 

@@ -73,7 +73,7 @@ void Foam::fsi::denseResponse::makeModes()
 {
     if (madeFor_ != deltaT_)
     {
-        const label nB = nRows();
+        const label nB = group_.shape().nBoundaryNodes();
         Eigen::MatrixXd S
         (
             group_.shape().factor(deltaT_).boundaryInverse().llt()
@@ -84,7 +84,7 @@ void Foam::fsi::denseResponse::makeModes()
         panels_.reset(S);
         madeFor_ = deltaT_;
     }
-    sharedResponse::makeModes();
+    woodburyResponse::makeModes();
 }
 
 
@@ -149,7 +149,7 @@ std::vector<Eigen::MatrixXd> Foam::fsi::denseResponse::multiplyModes
 
 Foam::fsi::denseResponse::denseResponse(const bodyGroup& group)
 :
-    sharedResponse(group)
+    woodburyResponse(group)
 {}
 
 

@@ -9,7 +9,7 @@
 
 Foam::fsi::laneResponse::laneResponse(const bodyGroup& group)
 :
-    sharedResponse(group)
+    woodburyResponse(group)
 {}
 
 

@@ -3,7 +3,6 @@
 #include "denseResponse.H"
 #include "laneResponse.H"
 #include "modalResponse.H"
-#include "sparseResponse.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -19,13 +18,9 @@ Foam::fsi::viscousResponse::viscousResponse(const bodyGroup& group)
 std::unique_ptr<Foam::fsi::viscousResponse>
 Foam::fsi::viscousResponse::New(const bodyGroup& group)
 {
-    if (!group.response().matrix())
+    if (!group.response().hasMatrix())
     {
         return std::make_unique<modalResponse>(group);
-    }
-    if (group.response().matrix()->coupled())
-    {
-        return std::make_unique<sparseResponse>(group);
     }
     if (group.shape().nDims() == 3)
     {

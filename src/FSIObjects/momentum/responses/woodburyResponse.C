@@ -44,6 +44,50 @@ Foam::fsi::woodburyResponse::modeVector Foam::fsi::woodburyResponse::project
 }
 
 
+std::vector<Eigen::MatrixXd> Foam::fsi::woodburyResponse::multiplyModes
+(
+    std::vector<Eigen::MatrixXd>&& modes
+) const
+{
+    std::vector<Eigen::MatrixXd> products;
+    for (const Eigen::MatrixXd& mode : modes)
+    {
+        products.push_back(multiply(mode));
+    }
+    return products;
+}
+
+
+void Foam::fsi::woodburyResponse::makeModes()
+{
+    const label nB = group_.shape().nBoundaryNodes();
+    std::vector<Eigen::MatrixXd> rotations;
+    scalarList signs;
+    for (const bodyResponse::mode& mode : group_.response().modes())
+    {
+        if (mode.kind != bodyResponse::modeKind::volume)
+        {
+            rotations.emplace_back(mode.values.topRows(nB));
+            signs.append(mode.sign);
+        }
+    }
+    modes_ = multiplyModes(std::vector<Eigen::MatrixXd>(rotations));
+
+    const label n(rotations.size());
+    added_.resize(group_.size());
+    for (label copyi = 0; copyi < group_.size(); ++copyi)
+    {
+        modeMatrix E(n, n);
+        for (label mode = 0; mode < n; ++mode)
+        {
+            E.col(mode) = project(modes_, rotations[mode], copyi, n);
+            E(mode, mode) += signs[mode];
+        }
+        added_[copyi] = -E.inverse();
+    }
+}
+
+
 void Foam::fsi::woodburyResponse::updateLinks
 (
     const std::vector<copyLink>* links,
@@ -53,8 +97,7 @@ void Foam::fsi::woodburyResponse::updateLinks
     makeModes();
     for (const Eigen::MatrixXd& mode : resisting)
     {
-        modes_.emplace_back(Eigen::MatrixXd::Zero(nRows(), mode.cols()));
-        modes_.back().topRows(mode.rows()) = mode;
+        modes_.push_back(mode);
     }
     solved_ = modes_;
     makeMatrices(links, solved_);
@@ -103,7 +146,10 @@ void Foam::fsi::woodburyResponse::makeWoodbury()
 
 void Foam::fsi::woodburyResponse::makeSource()
 {
-    const Eigen::MatrixXd predicted(start().topRows(nRows()));
+    const Eigen::MatrixXd predicted
+    (
+        start().topRows(group_.shape().nBoundaryNodes())
+    );
     source_ = multiply(predicted);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
@@ -126,21 +172,19 @@ void Foam::fsi::woodburyResponse::solve
     Eigen::MatrixXd& v
 ) const
 {
-    load_ = source_;
-    load_.topRows(f.rows()) += f;
-    solveMatrices(load_, solution_);
+    load_ = source_ + f;
+    solveMatrices(load_, v);
     for (label copyi = 0; copyi < group_.size(); ++copyi)
     {
         const modeVector amount
         (
             -(
                 woodbury_[copyi]
-               *project(modes_, solution_, copyi, modes_.size())
+               *project(modes_, v, copyi, modes_.size())
             )
         );
-        addModes(solved_, amount, copyi, solution_);
+        addModes(solved_, amount, copyi, v);
     }
-    v = solution_.topRows(f.rows());
 }
 
 

@@ -32,12 +32,10 @@ void Foam::fsi::contactBodies::reset(const surfaceSet& surfaces)
 void Foam::fsi::contactBodies::setInverse
 (
     const label objecti,
-    const Eigen::MatrixXd* inverse,
-    const bool coupled
+    const Eigen::MatrixXd* inverse
 )
 {
     bodies_[objecti].inverse = inverse;
-    bodies_[objecti].coupled = coupled;
 }
 
 
@@ -88,17 +86,7 @@ Foam::scalar Foam::fsi::contactBodies::coupling
     {
         forNodes(by, [&](const label j, const vector& byPart)
         {
-            if (b.inverse && b.coupled)
-            {
-                const label n = b.inverse->rows()/2;
-                for (label c = 0; c < 4; ++c)
-                {
-                    sum +=
-                        part[c/2]*byPart[c % 2]
-                       *(*b.inverse)(i - start + c/2*n, j - start + c % 2*n);
-                }
-            }
-            else if (b.inverse)
+            if (b.inverse)
             {
                 sum +=
                     (part & byPart)

@@ -3,38 +3,6 @@
 #include "contactResponse.H"
 #include "SubField.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Velocities of the nodes by an impulse on one, x and y coupled
-static void addCoupled
-(
-    const Eigen::MatrixXd& B,
-    const label node,
-    const vector& impulse,
-    vector* v
-)
-{
-    const label nNodes = B.rows()/2;
-    for (direction c = 0; c < 2; ++c)
-    {
-        const double* column = B.col(node + c*nNodes).data();
-        for (label i = 0; i < nNodes; ++i)
-        {
-            v[i].x() += column[i]*impulse[c];
-            v[i].y() += column[nNodes + i]*impulse[c];
-        }
-    }
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::contactResponse::setShares(const label pairi)
@@ -72,30 +40,12 @@ Foam::scalar Foam::fsi::contactResponse::inverse
 (
     const label objecti,
     const label i,
-    const label j,
-    const vector& n
+    const label j
 ) const
 {
     const Eigen::MatrixXd* B = (*bodies_)[objecti].inverse;
     const label start = surfaces_->pointStart()[objecti];
-    if (!B)
-    {
-        return 0;
-    }
-    if (!(*bodies_)[objecti].coupled)
-    {
-        return (*B)(i - start, j - start);
-    }
-
-    const label nNodes = B->rows()/2;
-    scalar sum = 0;
-    for (label c = 0; c < 4; ++c)
-    {
-        const label row = i - start + (c/2)*nNodes;
-        const label column = j - start + (c % 2)*nNodes;
-        sum += (*B)(row, column)*n[c/2]*n[c % 2];
-    }
-    return sum;
+    return B ? (*B)(i - start, j - start) : 0;
 }
 
 
@@ -146,18 +96,6 @@ void Foam::fsi::contactResponse::addImpulse
     }
     const label start = surfaces_->pointStart()[objecti];
     vector* v = &velocities_[start];
-    if ((*bodies_)[objecti].coupled)
-    {
-        for (label i = 0; i < nNodes; ++i)
-        {
-            if (weights[i] != 0)
-            {
-                addCoupled(*B, nodes[i] - start, weights[i]*impulse, v);
-            }
-        }
-        return;
-    }
-
     const label* rows = rows_.cdata() + rowStart_[objecti];
     const label nRows = rowStart_[objecti + 1] - rowStart_[objecti];
     if (sum_.size() < nRows)
@@ -230,7 +168,7 @@ Foam::scalar Foam::fsi::contactResponse::compliance(const label pairi) const
         return frictionCompliance(pair);
     }
 
-    scalar sum = inverse(object, pair.node, pair.node, n);
+    scalar sum = inverse(object, pair.node, pair.node);
     for (label k = 0; k < b.nModes; ++k)
     {
         const scalar share =
@@ -248,10 +186,9 @@ Foam::scalar Foam::fsi::contactResponse::compliance(const label pairi) const
         const scalar wi = pair.weights[i];
         for (label j = 0; j < surfaces_->nNodes(); ++j)
         {
-            sum +=
-                wi*pair.weights[j]*inverse(faceOwner(pair), f[i], f[j], n);
+            sum += wi*pair.weights[j]*inverse(faceOwner(pair), f[i], f[j]);
         }
-        sum -= self ? 2*wi*inverse(object, pair.node, f[i], n) : 0;
+        sum -= self ? 2*wi*inverse(object, pair.node, f[i]) : 0;
     }
     const contactBodies::body& other = (*bodies_)[faceOwner(pair)];
     for (label k = 0; k < other.nModes && !self; ++k)
