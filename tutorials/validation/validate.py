@@ -42,6 +42,7 @@ import tether
 import timeOrder
 import timeStep
 import vessel
+import wallFilms
 import wetRebound
 
 MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
@@ -49,7 +50,7 @@ MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            rigidStiff, oscillatingSphere, pairInShear, resistances,
            suspension, flap, vessel, dilute, scalars, redCell, movingFrame,
            flagInStream, airfoil, tether, denseCells, wetRebound,
-           capsuleInTube)
+           capsuleInTube, wallFilms)
 
 
 def collected(name):

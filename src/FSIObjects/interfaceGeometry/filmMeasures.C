@@ -4,6 +4,59 @@
 #include "cartesianMesh.H"
 #include "openArea.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Where a side cuts the edges of a face if its distances are larger by more
+//  [m]
+static DynamicList<point> cuts
+(
+    const filmMeasures& m,
+    const label side,
+    const scalar more,
+    const label facei
+)
+{
+    const FixedList<label, 4> around = m.grid.cornersOf(facei);
+    const FixedList<scalar, 6>& d = m.distances[side];
+    DynamicList<point> result;
+    // In 2D there is one edge
+    for (label a = 0; a < (m.nCorners == 2 ? 1 : m.nCorners); ++a)
+    {
+        const label b = (a + 1) % m.nCorners;
+        if ((d[a] + more > 0) != (d[b] + more > 0))
+        {
+            const scalar part = (d[a] + more)/(d[a] - d[b]);
+            result.append
+            (
+                (1 - part)*m.corners.position(around[a])
+              + part*m.corners.position(around[b])
+            );
+        }
+    }
+    return result;
+}
+
+
+//- Mean of some points
+static point mean(const UList<point>& points)
+{
+    point sum(Zero);
+    for (const point& p : points)
+    {
+        sum += p;
+    }
+    return sum/points.size();
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::filmMeasures::filmMeasures
@@ -143,41 +196,25 @@ void Foam::fsi::filmMeasures::setCut
     filmFace& film
 ) const
 {
-    const FixedList<label, 4> around = grid.cornersOf(film.face);
-    const FixedList<scalar, 6>& d = distances[side];
-    point cuts(Zero);
-    scalar atCuts = 0;
-    label nCuts = 0;
-    // In 2D there is one edge
-    for (label a = 0; a < (nCorners == 2 ? 1 : nCorners); ++a)
-    {
-        const label b = (a + 1) % nCorners;
-        if ((d[a] > 0) != (d[b] > 0))
-        {
-            const scalar part = d[a]/(d[a] - d[b]);
-            const point cut
-            (
-                (1 - part)*corners.position(around[a])
-              + part*corners.position(around[b])
-            );
-            cuts += cut;
-            atCuts += from(cut, side);
-            ++nCuts;
-        }
-    }
+    const DynamicList<point> linear(cuts(*this, side, 0, film.face));
     wallOrigin& origin = film.origins[side];
-    origin.cut = nCuts > 0;
+    origin.cut = !linear.empty();
     origin.middle = grid.mesh().faceCentres()[film.face];
     scalar error = 0;
     if (origin.cut)
     {
         // Mean over a cut by Simpson's rule
-        origin.middle = cuts/nCuts;
-        error = atCuts/nCuts;
+        origin.middle = mean(linear);
+        for (const point& cut : linear)
+        {
+            error += from(cut, side)/linear.size();
+        }
         if (nCorners == 4)
         {
             error = (error + 2*from(origin.middle, side))/3;
         }
+        const DynamicList<point> moved(cuts(*this, side, error, film.face));
+        origin.middle = moved.empty() ? origin.middle : mean(moved);
     }
     film.closed[side] = covered(side, error);
 }
