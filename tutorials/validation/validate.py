@@ -15,6 +15,7 @@ import time
 
 import airfoil
 import budget
+import capsuleInShear
 import capsuleInTube
 import cavity
 import common
@@ -50,7 +51,7 @@ MODULES = (budget, cavity, cylinder, discs, lubrication, migration, softDisc,
            rigidStiff, oscillatingSphere, pairInShear, resistances,
            suspension, flap, vessel, dilute, scalars, redCell, movingFrame,
            flagInStream, airfoil, tether, denseCells, wetRebound,
-           capsuleInTube, wallFilms)
+           capsuleInTube, capsuleInShear, wallFilms)
 
 
 def collected(name):
