@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A capsule, a neo-Hookean membrane inside the fluid, in simple shear flow in
-three dimensions, against published deformations.
+three dimensions, against the deformation without a mesh of the fluid.
 
     capsule.py FOLDER
 
