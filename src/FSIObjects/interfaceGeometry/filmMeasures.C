@@ -238,10 +238,12 @@ Foam::point Foam::fsi::filmMeasures::openMiddle
     }
     for (const wallOrigin& origin : film.origins)
     {
-        // A cut has two ends in 3D
-        const scalar weight = origin.cut ? nCorners/2 : 0;
-        sum += weight*origin.middle;
-        n += weight;
+        // It has two ends in 3D
+        if (origin.cut)
+        {
+            sum += nCorners/2*origin.middle;
+            n += nCorners/2;
+        }
     }
     return n > 0 ? point(sum/n) : grid.mesh().faceCentres()[film.face];
 }

@@ -28,7 +28,8 @@ struct nearestSoFar
         const scalar away =
             magSqr(surfaces.nearestOnFace(facei, p, there) - p);
         const scalar same = !choice ? 1 : facei < face ? 1 + 1e-6 : 1 - 1e-6;
-        if (away >= same*distance)
+        // Neither is one at a distance that is not a number
+        if (!(away < same*distance))
         {
             return false;
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <gtest/gtest.h>
+#include <limits>
 #include <random>
 
 #include "surfacePlace.H"
@@ -58,6 +59,21 @@ TEST(SurfacePlace, goesOnOverTheEdgesOfTriangles)
         }
     }
     EXPECT_EQ(nElsewhere, 3*surfaces.faces().size());
+}
+
+
+TEST(SurfacePlace, aPointThatIsNotANumberIsAnError)
+{
+    // Not a search without an end
+    surfaceSet surfaces(3);
+    appendSphere(surfaces, Zero, 1, 2);
+    const scalar nan = std::numeric_limits<scalar>::quiet_NaN();
+    label found;
+    EXPECT_THROW
+    (
+        nearestPlace(surfaces, point(0, nan, 0), 0, 1, found),
+        Foam::error
+    );
 }
 
 
