@@ -130,7 +130,7 @@ void Foam::fsi::immersedBodies::begin(const scalar, const scalar, const scalar)
     FatalErrorInFunction
         << "Shape " << shape().name() << " is a membrane inside the fluid, for"
         << " which there is no time step of second order: take Euler for"
-        << " ddtSchemes" << exit(FatalError);
+        << " ddtSchemes in system/fvSchemes" << exit(FatalError);
 }
 
 

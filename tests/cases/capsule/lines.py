@@ -56,8 +56,8 @@ def drop(report, folder, contrast):
 
 def dense(report, folder):
     """120 red cells on 40 % of a channel, 12 cells of the mesh across. The
-    viscosity is near that with 48 cells across, 2.67: 10 % are allowed, as for
-    suspensions of discs on two meshes, with the kernel that the guide asks for.
+    viscosity is near that of another packing with 48 cells across, 2.67: 10 %
+    are allowed with the kernel that the guide asks for (see doc/choices.md).
     With a wider one, for which 30 % are allowed, nodes come near the walls."""
     for kernel in (2, 3):
         path = os.path.join(folder, f"dense{kernel}")

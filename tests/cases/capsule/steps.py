@@ -16,7 +16,8 @@ def refused(report, folder):
             ("kernel", {"properties": "membranes { kernel 5; }"}, "kernel"),
             ("step", {"deltaT": 4, "endTime": 8}, "too long for the membranes"),
             ("stretch", LONG, "as they are stretched"),
-            ("order", {"time_scheme": "backward"}, "take Euler")):
+            ("order", {"time_scheme": "backward"},
+             "take Euler for ddtSchemes in system/fvSchemes")):
         case = capsule(folder, name, cells=2, **more)
         try:
             case.run("fsiPisoFoam")
