@@ -204,10 +204,11 @@ Foam::scalar Foam::fsi::immersedBodies::elasticEnergy() const
 
 void Foam::fsi::immersedBodies::stepForces
 (
-    const membraneForceStep& step,
+    const membraneForceStep& inFluid,
     Eigen::MatrixXd& force
 )
 {
+    const membraneForceStep step(inFluid.around(*shape().sheet()));
     DynamicList<label> soft, stiff;
     scalar most = explicitPart(step);
     slipPasses_.setSize(size());
@@ -272,9 +273,10 @@ void Foam::fsi::immersedBodies::slip
 
 Foam::scalar Foam::fsi::immersedBodies::longestStep
 (
-    const membraneForceStep& step
+    const membraneForceStep& inFluid
 ) const
 {
+    const membraneForceStep step(inFluid.around(*shape().sheet()));
     scalar most = explicitPart(step);
     for (label copyi = 0; copyi < size(); ++copyi)
     {

@@ -110,4 +110,5 @@ def check(report, folder):
     sameAnswers.ranks(report, folder, True)
     sameAnswers.restart(report, folder, True)
     steps.stiff(report, folder, True)
+    steps.stiff(report, folder, True, 0.2, STEP/4)
     apart.check(report, folder, True)

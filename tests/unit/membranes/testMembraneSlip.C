@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "deltaKernel.H"
+#include "immersedBodies.H"
 #include "membraneSlip.H"
 #include "samples/samples.H"
 
@@ -22,12 +23,14 @@ const membraneForceStep step{1e-3, 2, 0.05, 17, 0.3};
 std::unique_ptr<shapeTemplate> sheet(const label nDims, const string& others)
 {
     const string shape = nDims == 2 ? "circle" : "sphere";
+    const bool drop = others.find("drop") != string::npos;
+    const string modulus(drop ? "" : "shearModulus 1; ");
     const dictionary dict
     (
         dictionaryOf
         (
             "shape { type " + shape + "; radius 1; } material { type membrane;"
-            " density 1; shearModulus 1; " + others + " }"
+            " density 1; " + modulus + others + " }"
         )
     );
     const meshGrading grading((dictionary()));
@@ -202,6 +205,25 @@ TEST(membraneSlip, lagOfTheKernels)
     EXPECT_NEAR(sampledLag<2>(), deltaKernel<2>::lag, 0.01);
     EXPECT_NEAR(sampledLag<3>(), deltaKernel<3>::lag, 0.01);
     EXPECT_NEAR(sampledLag<4>(), deltaKernel<4>::lag, 0.01);
+}
+
+
+TEST(membraneForceStep, isShorterAroundALessViscousFluid)
+{
+    const auto longest = [](const string& inside)
+    {
+        const auto shape = sheet(2, inside);
+        const auto group = groupOf(*shape);
+        group->append(point::zero, tensor::I, Zero, Zero, 0);
+        return dynamic_cast<immersedBodies&>(*group).longestStep(step);
+    };
+    const scalar same = longest("");
+    EXPECT_EQ(longest("innerViscosity 10;"), same);
+    // The harmonic mean with a fifth of the viscosity is a third of it
+    EXPECT_NEAR(longest("innerViscosity 0.4;")/same, 1/3.0, 1e-9);
+    // A drop has no force along its surface
+    const string drop("law drop; tension 1;");
+    EXPECT_EQ(longest(drop + "innerViscosity 0.4;"), longest(drop));
 }
 
 
