@@ -55,10 +55,12 @@ def drop(report, folder, contrast):
 
 
 def dense(report, folder):
-    """120 red cells on 40 % of a channel, 12 cells of the mesh across. The
-    viscosity is near that of another packing with 48 cells across, 2.67: 10 %
-    are allowed with the kernel that the guide asks for (see doc/choices.md).
-    With a wider one, for which 30 % are allowed, nodes come near the walls."""
+    """120 red cells on 40 % of a channel, 12 cells of the mesh across: the
+    error of this mesh stays as it was measured. The limit of this packing is
+    2.38, from 2.836, 2.497 and 2.430 with 12, 24 and 36 cells across
+    (doc/choices.md): 19 % above it with the kernel that the guide asks for, of
+    which 0.6 % are of the step. A wider one, with which nodes come near the
+    walls, is to have less than twice that error."""
     for kernel in (2, 3):
         path = os.path.join(folder, f"dense{kernel}")
         fsiCase.copy(TUTORIAL, path)
@@ -75,7 +77,7 @@ def dense(report, folder):
         viscosity = suspension.driving_viscosity(path)
         print(f"    dense lines, {kernel} points: {viscosity:.3f}")
         report.check(f"dense lines, {kernel} points: viscosity",
-                     abs(viscosity/2.67 - 1) < (0.1 if kernel == 2 else 0.3),
+                     0 < viscosity/2.38 - 1 < (0.2 if kernel == 2 else 0.38),
                      viscosity)
 
 
