@@ -2,6 +2,7 @@
 
 #include "volFields.H"
 #include "cutFaces.H"
+#include "edgeCuts.H"
 #include "fetchAhead.H"
 #include "levelSetUpdate.H"
 #include "surfaceSample.H"
@@ -18,31 +19,19 @@ void Foam::fsi::cutFaces::setCut
 ) const
 {
     const FixedList<label, 4> around = grid_.cornersOf(facei);
-    const label nCorners = grid_.nDims() == 2 ? 2 : 4;
-    FixedList<point, 4> at;
-    for (label i = 0; i < nCorners; ++i)
+    FixedList<scalar, 4> distances;
+    forAll(around, i)
     {
-        at[i] = corners.position(around[i]);
+        distances[i] = cornerDistance[around[i]];
     }
-    label nCut = 0;
-    point sum(Zero);
-    for (label a = 0; a < nCorners; ++a)
-    {
-        // In 2D the second edge is the first one
-        const label b = (a + 1) % nCorners;
-        const scalar distanceA = cornerDistance[around[a]];
-        const scalar distanceB = cornerDistance[around[b]];
-        if ((distanceA > 0) != (distanceB > 0))
-        {
-            const scalar part = distanceA/(distanceA - distanceB);
-            sum += (1 - part)*at[a] + part*at[b];
-            ++nCut;
-        }
-    }
-    origin.cut = nCut > 0;
+    const edgeCuts cuts
+    (
+        distances, corners.positions(around), grid_.nDims() == 2 ? 2 : 4
+    );
+    origin.cut = cuts.n > 0;
     if (origin.cut)
     {
-        origin.middle = sum/nCut;
+        origin.middle = cuts.middle();
     }
 }
 

@@ -85,8 +85,7 @@ void Foam::fsi::filmFaces::place
     const scalar least = thinnest*grid_.spacing();
     const scalar away = mag(m.way(at[0], middle));
     const scalar other = mag(m.way(at[1], middle));
-    film.weights[1] = away/max(away + other, VSMALL);
-    film.weights[0] = 1 - film.weights[1];
+    film.middle = away/max(away + other, VSMALL);
     film.gap = max(mag(m.way(at[0], at[1])), least);
     film.resistance = m.resistance(film.gap, least);
     keepOpen(p, film);

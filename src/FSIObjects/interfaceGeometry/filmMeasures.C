@@ -2,60 +2,8 @@
 
 #include "filmMeasures.H"
 #include "cartesianMesh.H"
+#include "edgeCuts.H"
 #include "openArea.H"
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- Where a side cuts the edges of a face if its distances are larger by more
-//  [m]
-static DynamicList<point> cuts
-(
-    const filmMeasures& m,
-    const label side,
-    const scalar more,
-    const label facei
-)
-{
-    const FixedList<label, 4> around = m.grid.cornersOf(facei);
-    const FixedList<scalar, 6>& d = m.distances[side];
-    DynamicList<point> result;
-    // In 2D there is one edge
-    for (label a = 0; a < (m.nCorners == 2 ? 1 : m.nCorners); ++a)
-    {
-        const label b = (a + 1) % m.nCorners;
-        if ((d[a] + more > 0) != (d[b] + more > 0))
-        {
-            const scalar part = (d[a] + more)/(d[a] - d[b]);
-            result.append
-            (
-                (1 - part)*m.corners.position(around[a])
-              + part*m.corners.position(around[b])
-            );
-        }
-    }
-    return result;
-}
-
-
-//- Mean of some points
-static point mean(const UList<point>& points)
-{
-    point sum(Zero);
-    for (const point& p : points)
-    {
-        sum += p;
-    }
-    return sum/points.size();
-}
-
-} // End namespace fsi
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -134,22 +82,29 @@ Foam::scalar Foam::fsi::filmMeasures::from
 }
 
 
+Foam::FixedList<Foam::scalar, 4> Foam::fsi::filmMeasures::moved
+(
+    const label side,
+    const scalar more
+) const
+{
+    FixedList<scalar, 4> d(Zero);
+    for (label i = 0; i < nCorners; ++i)
+    {
+        d[i] = distances[side][i] + more;
+    }
+    return d;
+}
+
+
 Foam::scalar Foam::fsi::filmMeasures::covered
 (
     const label side,
     const scalar more
 ) const
 {
-    const FixedList<scalar, 6>& d = distances[side];
-    FixedList<scalar, 4> moved(Zero);
-    for (label i = 0; i < nCorners; ++i)
-    {
-        moved[i] = d[i] + more;
-    }
-    return
-        nCorners == 2
-      ? 1 - openSegment(moved[0], moved[1])
-      : 1 - openSquare(moved);
+    const FixedList<scalar, 4> d(moved(side, more));
+    return nCorners == 2 ? 1 - openSegment(d[0], d[1]) : 1 - openSquare(d);
 }
 
 
@@ -196,25 +151,26 @@ void Foam::fsi::filmMeasures::setCut
     filmFace& film
 ) const
 {
-    const DynamicList<point> linear(cuts(*this, side, 0, film.face));
+    const FixedList<point, 4> at(corners.positions(grid.cornersOf(film.face)));
+    const edgeCuts linear(moved(side, 0), at, nCorners);
     wallOrigin& origin = film.origins[side];
-    origin.cut = !linear.empty();
+    origin.cut = linear.n > 0;
     origin.middle = grid.mesh().faceCentres()[film.face];
     scalar error = 0;
     if (origin.cut)
     {
         // Mean over a cut by Simpson's rule
-        origin.middle = mean(linear);
-        for (const point& cut : linear)
+        origin.middle = linear.middle();
+        for (label i = 0; i < linear.n; ++i)
         {
-            error += from(cut, side)/linear.size();
+            error += from(linear.at[i], side)/linear.n;
         }
         if (nCorners == 4)
         {
             error = (error + 2*from(origin.middle, side))/3;
         }
-        const DynamicList<point> moved(cuts(*this, side, error, film.face));
-        origin.middle = moved.empty() ? origin.middle : mean(moved);
+        const edgeCuts measured(moved(side, error), at, nCorners);
+        origin.middle = measured.n > 0 ? measured.middle() : origin.middle;
     }
     film.closed[side] = covered(side, error);
 }
