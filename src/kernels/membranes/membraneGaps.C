@@ -71,6 +71,7 @@ void Foam::fsi::membraneGaps::sortVisitors
     bins_.setSize(nBins_[0]*nBins_[1]*nBins_[2]);
     bins_ = -1;
     visitors_.clear();
+    visitorBox_ = boundBox(vector::max, vector::min);
     for (const neighbour& near : near_[objecti])
     {
         const label end = surfaces.pointStart()[near.object + 1];
@@ -84,6 +85,8 @@ void Foam::fsi::membraneGaps::sortVisitors
                   + nBins_[0]*(binAt(x.y(), 1) + nBins_[1]*binAt(x.z(), 2));
                 visitors_.append(visitor{i, x, bins_[bin], -1});
                 bins_[bin] = visitors_.size() - 1;
+                visitorBox_.min() = min(visitorBox_.min(), x);
+                visitorBox_.max() = max(visitorBox_.max(), x);
             }
         }
     }
@@ -105,6 +108,10 @@ void Foam::fsi::membraneGaps::look
         high = max(high, surfaces.points()[f[i]]);
     }
     const boundBox around(low - range*vector::one, high + range*vector::one);
+    if (!around.overlaps(visitorBox_))
+    {
+        return;
+    }
     FixedList<label, 3> first, last;
     for (direction d = 0; d < 3; ++d)
     {
