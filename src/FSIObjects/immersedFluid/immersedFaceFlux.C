@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFlux.H"
+#include "atFace.H"
 #include "openLaplacian.H"
 #include "openfoamMesh.H"
 
@@ -99,32 +100,6 @@ void Foam::fsi::immersedFlux::fadeOnPatches
 }
 
 
-Foam::scalar& Foam::fsi::immersedFlux::atFace
-(
-    surfaceScalarField& field,
-    const label facei
-)
-{
-    if (facei < field.size())
-    {
-        return field[facei];
-    }
-    const label patchi = field.mesh().boundaryMesh().whichPatch(facei);
-    fvsPatchScalarField& pf = field.boundaryFieldRef()[patchi];
-    return pf[facei - pf.patch().start()];
-}
-
-
-Foam::scalar Foam::fsi::immersedFlux::atFace
-(
-    const surfaceScalarField& field,
-    const label facei
-)
-{
-    return atFace(const_cast<surfaceScalarField&>(field), facei);
-}
-
-
 Foam::scalarList Foam::fsi::immersedFlux::filmVelocities
 (
     const surfaceScalarField& velocity
@@ -159,7 +134,7 @@ void Foam::fsi::immersedFlux::setFilmFluxes
            *(
                 velocity[i]
               + geometry_.films().kept(facei, tau, viscosity)
-               *atFace(history, facei)
+               *(atFace(history, facei) + tau*forces_[i])
             );
     }
 }

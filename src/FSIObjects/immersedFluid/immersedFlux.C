@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedFlux.H"
+#include "atFace.H"
 #include "mathematicalConstants.H"
 #include "openfoamMesh.H"
 
@@ -51,7 +52,8 @@ Foam::fsi::immersedFlux::immersedFlux
         geometry.grid().mesh(),
         dimensionedScalar(dimVelocity, Zero)
     ),
-    moved_(geometry, faces)
+    moved_(geometry, faces),
+    forces_(geometry, faces)
 {
     // Files of earlier versions do not say so
     setOriented(faceHistory_);

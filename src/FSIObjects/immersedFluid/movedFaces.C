@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "movedFaces.H"
+#include "atFace.H"
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -67,39 +68,33 @@ void Foam::fsi::movedFaces::end
 )
 {
     after_ = faces_.nearVelocity(U, walls);
-    if (!before_.valid())
-    {
-        return;
-    }
     const auto jump = [&](const scalar before, const scalar after)
     {
         return (before - after)/(1 + rate + mag(after)*perSpeed);
     };
-    const fvMesh& mesh = U.mesh();
+    const label nInternal = U.mesh().nInternalFaces();
+    const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
     for (const label facei : geometry_.nearFaces())
     {
         const char now = kindOf(facei);
-        if (now == kind_[facei] || now == closed || kind_[facei] == closed)
+        if
+        (
+            before_.valid()
+         && now != kind_[facei] && now != closed && kind_[facei] != closed
+         && (
+                facei < nInternal
+             || patches[patches.whichPatch(facei)].coupled()
+            )
+        )
         {
-            continue;
+            atFace(history, facei) +=
+                jump(atFace(before_(), facei), atFace(after_(), facei));
         }
-        if (facei < mesh.nInternalFaces())
-        {
-            history[facei] += jump(before_()[facei], after_()[facei]);
-            continue;
-        }
-        const label patchi = mesh.boundaryMesh().whichPatch(facei);
-        const fvPatch& patch = mesh.boundary()[patchi];
-        const label i = facei - patch.start();
-        if (patch.coupled())
-        {
-            history.boundaryFieldRef()[patchi][i] +=
-                jump
-                (
-                    before_().boundaryField()[patchi][i],
-                    after_().boundaryField()[patchi][i]
-                );
-        }
+    }
+    // Walls alone do not tell the velocity in films
+    for (const filmFace& film : geometry_.films().faces())
+    {
+        atFace(after_.ref(), film.face) += atFace(history, film.face);
     }
     before_.clear();
 }

@@ -13,7 +13,7 @@ namespace fsi
 {
 
 //- Largest thickness of a film, in cells: the mesh resolves wider ones
-static const scalar widest = 1.5;
+static const scalar widest = 2.5;
 
 } // End namespace fsi
 } // End namespace Foam
@@ -185,7 +185,8 @@ void Foam::fsi::filmFaces::update
     for (const label facei : nearFaces)
     {
         const label here = haloIndex[owner[facei]];
-        const bool two = second[here] >= 0;
+        const label there = here + grid_.stepAcross(facei);
+        const bool two = second[here] >= 0 || second[there] >= 0;
         if
         (
             (!two && !search_.besideWall(owner[facei]))

@@ -138,7 +138,7 @@ Foam::fsi::carriedScalar::carriedScalar
 
 void Foam::fsi::carriedScalar::addBuoyancy(vectorField& source) const
 {
-    if (expansion_ == 0)
+    if (!buoyant())
     {
         return;
     }

@@ -32,6 +32,19 @@ Foam::fsi::carriedScalars::carriedScalars
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+bool Foam::fsi::carriedScalars::buoyant() const
+{
+    for (const carriedScalar& scalar : scalars_)
+    {
+        if (scalar.buoyant())
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+
 void Foam::fsi::carriedScalars::addBuoyancy(vectorField& source) const
 {
     for (const carriedScalar& scalar : scalars_)

@@ -155,6 +155,10 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::fluidStep::momentum
     const flowSources& sources
 )
 {
+    const vector acceleration
+    (
+        objects_.driving().acceleration() - objects_.frame().acceleration()
+    );
     tmp<fvVectorMatrix> tUEqn
     (
         momentum_.momentum
@@ -163,17 +167,20 @@ Foam::tmp<Foam::fvVectorMatrix> Foam::fsi::fluidStep::momentum
             U_,
             objects_.fluid().viscosity,
             gradP,
-            objects_.driving().acceleration()
-          - objects_.frame().acceleration()
+            acceleration
         )
     );
-    scalars_->addBuoyancy(tUEqn.ref().source());
+    fvVectorMatrix& UEqn = tUEqn.ref();
     if (viscosity_.hasLaw())
     {
-        viscosity_.addTo(tUEqn.ref());
+        viscosity_.addTo(UEqn);
     }
-    sources.apply(tUEqn.ref(), U_);
-    momentum_.constrain(tUEqn.ref());
+    filmForces& inFilms = flux_.forcesInFilms();
+    inFilms.begin(scalars_->buoyant() || sources.any(), UEqn.source());
+    scalars_->addBuoyancy(UEqn.source());
+    sources.apply(UEqn, U_);
+    inFilms.end(acceleration, UEqn.source());
+    momentum_.constrain(UEqn);
     return tUEqn;
 }
 

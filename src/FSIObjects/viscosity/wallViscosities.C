@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallViscosities.H"
+#include "atFace.H"
 #include "velocityGradient.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -20,19 +21,6 @@ scalar slideRate
 )
 {
     return mag(sides[0].velocity(v) - sides[1].velocity(v))/distance;
-}
-
-
-//- Value of a surface field at a mesh face
-scalar atFace(const surfaceScalarField& field, const label facei)
-{
-    if (facei < field.size())
-    {
-        return field[facei];
-    }
-    const label patchi = field.mesh().boundaryMesh().whichPatch(facei);
-    const fvsPatchScalarField& pf = field.boundaryField()[patchi];
-    return pf[facei - pf.patch().start()];
 }
 
 } // End anonymous namespace
