@@ -15,6 +15,7 @@ READERS = {
     "readAtLeast": ("whole number", ">= {0}"),
     "readFinite": ("vector", ""),
     "readChoice": ("word", ""),
+    "readName": ("word", ""),
     "readAngle": ("number", ""),
     "readMatrix": ("numbers", ""),
     "readField": ("numbers", ""),

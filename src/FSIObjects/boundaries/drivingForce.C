@@ -22,7 +22,7 @@ namespace fsi
 
 Foam::fsi::drivingForce::drivingForce(const fvMesh&, const dictionary& dict)
 {
-    if (dict.lookupOrDefault<word>("type", typeName) == typeName)
+    if (readName(dict, "type", typeName) == typeName)
     {
         checkKeys(dict, {"type"});
     }
@@ -38,7 +38,7 @@ Foam::autoPtr<Foam::fsi::drivingForce> Foam::fsi::drivingForce::New
 )
 {
     const dictionary& dict = fsiProperties.subOrEmptyDict("drivingForce");
-    const word type(dict.lookupOrDefault<word>("type", typeName));
+    const word type(readName(dict, "type", typeName));
     return constructorOf
     (
         *dictionaryConstructorTablePtr_, fsiProperties, "drivingForce", type

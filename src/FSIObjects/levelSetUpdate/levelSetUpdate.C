@@ -46,7 +46,7 @@ Foam::autoPtr<Foam::fsi::levelSetUpdate> Foam::fsi::levelSetUpdate::New
 )
 {
     const dictionary& dict = fsiProperties.subOrEmptyDict("levelSet");
-    const word type(dict.lookupOrDefault<word>("type", "rebuilt"));
+    const word type(readName(dict, "type", "rebuilt"));
     return constructorOf
     (
         *dictionaryConstructorTablePtr_, fsiProperties, "levelSet", type

@@ -4,6 +4,38 @@
 #include "fluidViscosity.H"
 #include "insideFraction.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Fatal if the viscosity inside a shape is far from that around it
+static void checkContrast
+(
+    const shapeTemplate& shape,
+    const scalar inside,
+    const scalar around
+)
+{
+    const scalar most = 1e4;
+    if (inside > most*around || inside*most < around)
+    {
+        FatalErrorInFunction
+            << "Entry 'innerViscosity' of the material in constant/fsiObjects/"
+            << shape.name() << " is " << inside << " Pa s but must be from "
+            << around/most << " to " << most*around << " Pa s, " << 1/most
+            << " to " << most << " times that of the fluid around: beyond it"
+            << " the flow is as at these bounds, but membranes would ask for"
+            << " far shorter steps" << exit(FatalError);
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 Foam::scalar Foam::fsi::viscosityContrast::moreInside
@@ -37,21 +69,19 @@ bool Foam::fsi::viscosityContrast::wanted
     const fluidProperties& fluid
 )
 {
+    const scalar around = fluid.dynamicViscosity();
+    bool any = false;
     for (const bodyGroup& group : bodies.groups())
     {
         const scalar inside =
             group.hasWalls() ? 0 : group.shape().sheet()->innerViscosity;
-        if
-        (
-            inside > 0
-         && mag(inside - fluid.dynamicViscosity())
-          > 1e-9*fluid.dynamicViscosity()
-        )
+        if (inside > 0 && mag(inside - around) > 1e-9*around)
         {
-            return true;
+            checkContrast(group.shape(), inside, around);
+            any = true;
         }
     }
-    return false;
+    return any;
 }
 
 

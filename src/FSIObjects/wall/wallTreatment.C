@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "wallTreatment.H"
+#include "dictionaryCheck.H"
 #include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -22,7 +23,7 @@ Foam::autoPtr<Foam::fsi::wallTreatment> Foam::fsi::wallTreatment::New
     const dictionary& dict
 )
 {
-    const word type(dict.lookupOrDefault<word>("wall", "openArea"));
+    const word type(readName(dict, "wall", "openArea"));
     return constructorOf
     (
         *dictionaryConstructorTablePtr_, dict, "wall", type

@@ -140,7 +140,7 @@ Foam::autoPtr<Foam::fsi::placement> Foam::fsi::placement::New
     const packing& space
 )
 {
-    const word type(getEntry<word>(dict, "type"));
+    const word type(readName(dict, "type"));
     const auto* constructor = findIn(*dictionaryConstructorTablePtr_, type);
     if (!constructor)
     {

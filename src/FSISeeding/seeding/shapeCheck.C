@@ -55,6 +55,31 @@ static void checkSize
 }
 
 
+//- Fatal if a body that moves freely, so may turn, is longer than a period
+static void checkPeriod
+(
+    const dictionary& dict,
+    const shape& body,
+    const seedDomain& domain
+)
+{
+    const scalar longest = cmptMax(body.bounds().span());
+    for (direction d = 0; d < domain.nDims; ++d)
+    {
+        if (domain.period[d] > 0 && longest >= domain.period[d])
+        {
+            FatalIOErrorInFunction(dict)
+                << "Entry 'shape' of dictionary " << dict.name()
+                << " describes an object that is " << longest
+                << " m long, but cyclic patches repeat the domain after "
+                << domain.period[d] << " m: it would meet its own image" << nl
+                << "Take a smaller shape or a longer domain"
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
 //- Fatal if a vessel is not fixed, or its wall does not fill the domain
 static void checkVessel
 (
@@ -163,6 +188,10 @@ Foam::scalar Foam::fsi::checkShape
     else
     {
         checkSize(dict, body, domain, motion != "free");
+        if (motion == "free" && !dict.found("hold"))
+        {
+            checkPeriod(dict, body, domain);
+        }
     }
     return checkThickness(dict, body, domain);
 }

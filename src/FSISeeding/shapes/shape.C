@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "dictionaryCheck.H"
 #include "openfoamVersion.H"
 #include "shape.H"
 
@@ -24,7 +25,7 @@ Foam::autoPtr<Foam::fsi::shape> Foam::fsi::shape::New
     const direction nDims
 )
 {
-    const word shapeType(getEntry<word>(dict, "type"));
+    const word shapeType(readName(dict, "type"));
 
     // The two tables have the same type
     const auto& valid =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "hydrodynamicLoad.H"
+#include "dictionaryCheck.H"
 #include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -23,7 +24,7 @@ Foam::autoPtr<Foam::fsi::hydrodynamicLoad> Foam::fsi::hydrodynamicLoad::New
     const dictionary& dict
 )
 {
-    const word type(dict.lookupOrDefault<word>("load", "wallForce"));
+    const word type(readName(dict, "load", "wallForce"));
     return constructorOf
     (
         *dictionaryConstructorTablePtr_, dict, "load", type

@@ -226,7 +226,10 @@ void Foam::fsi::immersedBodies::stepForces
             << "The time step " << step.dt << " s is too long for the membranes"
             << " of shape " << shape().name() << " as they are stretched" << nl
             << "Take a step of " << step.dt/most << " s or less,"
-            << " adjustTimeStep yes, or smaller moduli" << exit(FatalError);
+            << " adjustTimeStep yes, or smaller moduli"
+            << (step.viscosity < inFluid.viscosity
+              ? ", or a larger innerViscosity" : "")
+            << exit(FatalError);
     }
     force = elasticForces_;
     forces_.energy(positions(), soft, &force);

@@ -3,6 +3,7 @@
 #include "dictionaryCheck.H"
 #include "errorOf.H"
 #include "misspelling.H"
+#include "OStringStream.H"
 #include "openfoamTypes.H"
 #include "openfoamVersion.H"
 #include "userVariables.H"
@@ -164,6 +165,33 @@ Foam::label Foam::fsi::readAtLeast
 }
 
 
+Foam::word Foam::fsi::readName(const dictionary& dict, const word& key)
+{
+    if (dict.found(key) && !dict.isDict(key))
+    {
+        const ITstream& is = dict.lookup(key);
+        if (is.size() && is[0].isNumber())
+        {
+            OStringStream text;
+            text << is[0];
+            return word(text.str(), false);
+        }
+    }
+    return readEntry<word>(dict, key);
+}
+
+
+Foam::word Foam::fsi::readName
+(
+    const dictionary& dict,
+    const word& key,
+    const word& defaultValue
+)
+{
+    return dict.found(key) ? readName(dict, key) : defaultValue;
+}
+
+
 Foam::word Foam::fsi::readChoice
 (
     const dictionary& dict,
@@ -172,7 +200,7 @@ Foam::word Foam::fsi::readChoice
     const wordList& choices
 )
 {
-    const word value(readEntryOr<word>(dict, key, defaultValue));
+    const word value(readName(dict, key, defaultValue));
     if (!isIn(choices, value))
     {
         FatalIOErrorInFunction(dict)

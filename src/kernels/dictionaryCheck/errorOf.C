@@ -114,4 +114,15 @@ void Foam::fsi::checkValues
 }
 
 
+void Foam::fsi::checkValue
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar& value
+)
+{
+    checkValues(dict, key, UList<scalar>(const_cast<scalar*>(&value), 1));
+}
+
+
 // ************************************************************************* //

@@ -30,7 +30,7 @@ Foam::autoPtr<Foam::fsi::membraneLaw> Foam::fsi::membraneLaw::New
         *dictionaryConstructorTablePtr_,
         dict,
         "law",
-        dict.lookupOrDefault<word>("law", "Skalak")
+        readName(dict, "law", "Skalak")
     )(dict);
 }
 

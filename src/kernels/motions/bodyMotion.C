@@ -47,7 +47,7 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
     const dictionary& dict
 )
 {
-    const word motionType(dict.lookupOrDefault<word>("type", "free"));
+    const word motionType(readName(dict, "type", "free"));
     if (motionType == "free")
     {
         // The solver reads them; a wrong one is to be found when seeding

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "dictionaryCheck.H"
 #include "openfoamVersion.H"
 #include "springLaw.H"
 
@@ -23,7 +24,7 @@ Foam::autoPtr<Foam::fsi::springLaw> Foam::fsi::springLaw::New
     const scalar youngsModulus
 )
 {
-    const word lawType(getEntry<word>(dict, "type"));
+    const word lawType(readName(dict, "type"));
 
     const auto* constructor = findIn(*dictionaryConstructorTablePtr_, lawType);
     if (!constructor)

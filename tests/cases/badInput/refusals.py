@@ -49,7 +49,7 @@ SEEDING = [
      ("objects", "object 0", "not in the domain")),
     ("objects that turn without end",
      {"objects": "{ centre (0.5 0.5 0); rotation 1e300; }"},
-     ("rotation", "1e+15")),
+     ("rotation", "1e15")),
     ("objects without a place", {"objects": "{ centre (1e200 0 0); }"},
      ("centre", "1e15")),
     ("absurd velocity",

@@ -207,7 +207,12 @@ TEST(badMembrane, isRefusedWithFileAndKey)
     expectError(errorIn(good + "E 1e4;"), {"E", "shearModulus"});
     expectError(errorIn(good + "innerViscosity -1;"), {"innerViscosity"});
     expectError(errorIn(good + "bendingModulus -1;"), {"bendingModulus"});
-    expectError(errorIn(good + "restCurvature 0;"), {"restCurvature", "word"});
+    expectError
+    (
+        errorIn(good + "restCurvature 0;"),
+        {"'0'", "restCurvature", "shape", "flat"}
+    );
+    expectError(errorIn(good + "law 2;"), {"law", "2", "Skalak", "drop"});
     expectError
     (
         errorIn("type membrane; density 1; stretchingModulus 1;"),

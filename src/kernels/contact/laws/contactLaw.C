@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactLaw.H"
-#include "dictionary.H"
+#include "dictionaryCheck.H"
 #include "selection.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
@@ -24,7 +24,7 @@ Foam::autoPtr<Foam::fsi::contactLaw> Foam::fsi::contactLaw::New
     const contactScales& scales
 )
 {
-    const word type(dict.lookupOrDefault<word>("type", "elastic"));
+    const word type(readName(dict, "type", "elastic"));
     return constructorOf
     (
         *dictionaryConstructorTablePtr_, dict, typeName, type

@@ -32,7 +32,7 @@ Foam::autoPtr<Foam::fsi::contactSearch> Foam::fsi::contactSearch::New
     const dictionary& dict
 )
 {
-    const word type(dict.lookupOrDefault<word>("type", "surfaceTree"));
+    const word type(readName(dict, "type", "surfaceTree"));
     return constructorOf
     (
         *dictionaryConstructorTablePtr_, dict, typeName, type
