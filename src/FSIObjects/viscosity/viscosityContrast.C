@@ -19,8 +19,9 @@ static void checkContrast
     const scalar around
 )
 {
+    // 0 around: a generalised Newtonian fluid, of which nothing is known yet
     const scalar most = 1e4;
-    if (inside > most*around || inside*most < around)
+    if (around > 0 && (inside > most*around || inside*most < around))
     {
         FatalErrorInFunction
             << "Entry 'innerViscosity' of the material in constant/fsiObjects/"
