@@ -78,6 +78,30 @@ void Foam::fsi::objectsConductance::setInterior
 }
 
 
+void Foam::fsi::objectsConductance::lowerInFilms(scalarField& d) const
+{
+    const fvMesh& mesh = objects_.grid().mesh();
+    boolList lowered(d.size(), false);
+    const auto lower = [&](const label celli)
+    {
+        const label at = walls_.place(celli);
+        if (at >= 0 && !lowered[at])
+        {
+            d[at] *= inFilms;
+            lowered[at] = true;
+        }
+    };
+    for (const filmFace& film : geometry_.films().faces())
+    {
+        lower(mesh.faceOwner()[film.face]);
+        if (mesh.isInternalFace(film.face))
+        {
+            lower(mesh.faceNeighbour()[film.face]);
+        }
+    }
+}
+
+
 void Foam::fsi::objectsConductance::addWalls
 (
     const cellObjects& objects,
@@ -85,10 +109,11 @@ void Foam::fsi::objectsConductance::addWalls
 ) const
 {
     const UList<wallFace>& faces = geometry_.wallFaces();
-        const label nInternal = objects_.grid().mesh().nInternalFaces();
+    const label nInternal = objects_.grid().mesh().nInternalFaces();
 
     // Closed area of each cell at walls towards the inside
-    const scalarField d(estimate*diagonal());
+    scalarField d(estimate*diagonal());
+    lowerInFilms(d);
     scalarField inner(d.size(), Zero), all(d.size(), Zero);
     boolList reaches(faces.size());
     forAll(faces, i)

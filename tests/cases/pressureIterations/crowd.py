@@ -20,7 +20,7 @@ import sys
 import fsiCase
 import results
 
-LIMIT = 24
+LIMIT = 22
 STEPS = 6
 
 # Area of an outline of radius 1
