@@ -4,9 +4,9 @@ at Re 0.1 with the radius and the shear rate. Lengths are radii, shear rate and
 density are 1.
 
 Suspensions are chaotic: two runs with other steps soon have other states, whose
-viscosities differ more than the steps' errors. So two states of a run are gone
+viscosities differ more than the steps' errors. So four states of a run are gone
 on with, each for a strain of 0.6, with other steps, stiffnesses of contact and
-meshes; a value is the mean of the last half of both, by rheology.csv. The
+meshes; a value is the mean of the last halves, by rheology.csv. The
 bodies start with the shear's velocity.
 
 Spheres are compared with the formulas of Eilers and of Krieger and Dougherty,
@@ -167,7 +167,7 @@ def compared(n_dims, phi, cells, listed):
 def discs(fractions=(0.2, 0.4), meshes=(4, 6, 8)):
     """Steps, stiffnesses and meshes, all from the states of the first mesh."""
     for phi in fractions:
-        listed, _, _ = states(2, phi, meshes[0], (2, 4))
+        listed, _, _ = states(2, phi, meshes[0], (1, 2, 3, 4))
         values = {}
         for cells in meshes:
             rows, values[cells] = compared(2, phi, cells, listed)
