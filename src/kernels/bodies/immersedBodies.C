@@ -217,7 +217,7 @@ void Foam::fsi::immersedBodies::stepForces
         const scalar modulus = stiffness(copyi);
         const scalar number = step.number(modulus);
         slipPasses_[copyi] = slip_.passes(step, modulus);
-        most = max(most, number/step.mostImplicit);
+        most = max(most, number/step.most(*shape().sheet()));
         (number > step.mostExplicit ? stiff : soft).append(copyi);
     }
     if (most > 1)
@@ -283,7 +283,10 @@ Foam::scalar Foam::fsi::immersedBodies::longestStep
     scalar most = explicitPart(step);
     for (label copyi = 0; copyi < size(); ++copyi)
     {
-        most = max(most, step.number(stiffness(copyi))/step.mostImplicit);
+        most = max
+        (
+            most, step.number(stiffness(copyi))/step.most(*shape().sheet())
+        );
     }
     return step.dt/max(most, VSMALL);
 }

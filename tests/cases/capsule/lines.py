@@ -113,4 +113,5 @@ def check(report, folder):
     sameAnswers.restart(report, folder, True)
     steps.stiff(report, folder, True)
     steps.stiff(report, folder, True, 0.2, STEP/4)
+    steps.drop(report, folder)
     apart.check(report, folder, True)

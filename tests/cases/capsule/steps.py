@@ -15,6 +15,8 @@ def refused(report, folder):
              "is a membrane inside the fluid"),
             ("kernel", {"properties": "membranes { kernel 5; }"}, "kernel"),
             ("step", {"deltaT": 4, "endTime": 8}, "too long for the membranes"),
+            ("drop", {"law": "drop", "modulus": "tension", "deltaT": 2.7,
+                      "endTime": 5.4}, "too long for the membranes"),
             ("stretch", LONG, "as they are stretched"),
             ("order", {"time_scheme": "backward"},
              "take Euler for ddtSchemes in system/fvSchemes")):
@@ -52,3 +54,14 @@ def adjusted(report, folder):
     first, *_, last = results.table(case.path, "global.csv")
     report.check("steps follow the stretch", last["time"] > 0.98
                  and last["deltaT"] < 0.9*first["deltaT"], str(last))
+
+
+def drop(report, folder):
+    """Steps of a drop get so short that its forces are explicit: with implicit
+    ones of the first step it is torn."""
+    case = capsule(folder, "adjustedDrop", cells=4, plane=True, law="drop",
+                   modulus="tension", capillary=0.01, deltaT=0.03, endTime=1.5,
+                   adjustTimeStep="yes", maxDeltaT=0.03, maxCo=1)
+    case.run("fsiPisoFoam")
+    D = [row["deformation"] for row in results.table(case.path, "objects.csv")]
+    report.check("steps of a drop", 0.008 < D[-1] < 0.016, str(D[::5]))

@@ -227,4 +227,23 @@ TEST(membraneForceStep, isShorterAroundALessViscousFluid)
 }
 
 
+TEST(membraneForceStep, forcesOfADropAreExplicit)
+{
+    const auto shape = sheet(3, "law drop; tension 1;");
+    const auto group = groupOf(*shape);
+    group->append(point::zero, tensor::I, Zero, Zero, 0);
+    group->positions().col(0) *= 1.2;
+    auto& membranes = dynamic_cast<immersedBodies&>(*group);
+    membraneForceStep longest(step);
+    longest.dt *= membranes.longestStep(step)/step.dt*(1 - 1e-9);
+    EXPECT_NEAR(longest.number(2), longest.mostExplicit, 1e-6);
+    Eigen::MatrixXd explicitForce, force;
+    group->internalForce(explicitForce);
+    membranes.stepForces(longest, force);
+    EXPECT_EQ((force - explicitForce).norm(), 0);
+    longest.dt *= 1.01;
+    EXPECT_THROW(membranes.stepForces(longest, force), Foam::error);
+}
+
+
 // ************************************************************************* //
