@@ -209,6 +209,7 @@ void Foam::fsi::immersedBodies::stepForces
 )
 {
     const membraneForceStep step(inFluid.around(*shape().sheet()));
+    const scalar longest = step.most(*shape().sheet());
     DynamicList<label> soft, stiff;
     scalar most = explicitPart(step);
     slipPasses_.setSize(size());
@@ -217,7 +218,7 @@ void Foam::fsi::immersedBodies::stepForces
         const scalar modulus = stiffness(copyi);
         const scalar number = step.number(modulus);
         slipPasses_[copyi] = slip_.passes(step, modulus);
-        most = max(most, number/step.most(*shape().sheet()));
+        most = max(most, number/longest);
         (number > step.mostExplicit ? stiff : soft).append(copyi);
     }
     if (most > 1)
@@ -280,13 +281,11 @@ Foam::scalar Foam::fsi::immersedBodies::longestStep
 ) const
 {
     const membraneForceStep step(inFluid.around(*shape().sheet()));
+    const scalar longest = step.most(*shape().sheet());
     scalar most = explicitPart(step);
     for (label copyi = 0; copyi < size(); ++copyi)
     {
-        most = max
-        (
-            most, step.number(stiffness(copyi))/step.most(*shape().sheet())
-        );
+        most = max(most, step.number(stiffness(copyi))/longest);
     }
     return step.dt/max(most, VSMALL);
 }

@@ -20,7 +20,7 @@ import sys
 import fsiCase
 import results
 
-LIMIT = 22
+LIMIT = 21
 STEPS = 6
 
 # Area of an outline of radius 1
