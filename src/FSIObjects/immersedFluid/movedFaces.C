@@ -28,6 +28,16 @@ char Foam::fsi::movedFaces::kindOf(const label facei) const
 }
 
 
+char Foam::fsi::movedFaces::kindBefore(const label facei) const
+{
+    if (kind_[facei] != far)
+    {
+        return kind_[facei];
+    }
+    return geometry_.lastOpenness()[facei] > 0 ? between : closed;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::movedFaces::movedFaces
@@ -38,7 +48,7 @@ Foam::fsi::movedFaces::movedFaces
 :
     geometry_(geometry),
     faces_(faces),
-    kind_(geometry.grid().mesh().nFaces(), closed)
+    kind_(geometry.grid().mesh().nFaces())
 {}
 
 
@@ -50,6 +60,7 @@ void Foam::fsi::movedFaces::begin
     const vectorField& walls
 )
 {
+    kind_ = far;
     for (const label facei : geometry_.nearFaces())
     {
         kind_[facei] = kindOf(facei);
@@ -72,23 +83,31 @@ void Foam::fsi::movedFaces::end
     {
         return (before - after)/(1 + rate + mag(after)*perSpeed);
     };
-    const label nInternal = U.mesh().nInternalFaces();
-    const polyBoundaryMesh& patches = U.mesh().boundaryMesh();
+    const fvMesh& mesh = U.mesh();
+    const label nInternal = mesh.nInternalFaces();
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
     for (const label facei : geometry_.nearFaces())
     {
+        if (!before_.valid())
+        {
+            break;
+        }
+        const char before = kindBefore(facei);
         const char now = kindOf(facei);
         if
         (
-            before_.valid()
-         && now != kind_[facei] && now != closed && kind_[facei] != closed
+            now != before && now != closed && before != closed
          && (
                 facei < nInternal
              || patches[patches.whichPatch(facei)].coupled()
             )
         )
         {
-            atFace(history, facei) +=
-                jump(atFace(before_(), facei), atFace(after_(), facei));
+            const scalar velocity =
+                kind_[facei] == far && facei < nInternal
+              ? faces_.mean(U, mesh.owner(), mesh.neighbour(), facei)
+              : atFace(before_(), facei);
+            atFace(history, facei) += jump(velocity, atFace(after_(), facei));
         }
     }
     // Walls alone do not tell the velocity in films
