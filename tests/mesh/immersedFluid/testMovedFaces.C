@@ -86,11 +86,20 @@ TEST(movedFaces, haveNothingToKeepInAUniformFlow)
         p.move(12.5, 31, wind);
         p.move(14, 21, wind);
         p.move(14, 21.1, wind);
-        EXPECT_LT(gMax(mag(p.history.primitiveField())), 1e-12);
+        // Ranks have different numbers of patches
+        scalar largest = 0;
+        for (const scalar jump : p.history.primitiveField())
+        {
+            largest = max(largest, mag(jump));
+        }
         for (const scalarField& onPatch : p.history.boundaryField())
         {
-            EXPECT_LT(gMax(mag(onPatch)), 1e-12);
+            for (const scalar jump : onPatch)
+            {
+                largest = max(largest, mag(jump));
+            }
         }
+        EXPECT_LT(overRanks(largest, maxOp<scalar>()), 1e-12);
     }
 }
 
