@@ -197,6 +197,7 @@ def spheres(fractions=(0.1, 0.2, 0.3, 0.4), cells=4, end=3, step=4):
     here, minutes = gone_on(3, phi, cells, step, listed)
     for other, of, tolerance in (
             ((cells, step/4, None), f"step {step/4:g}", 0.03),
+            ((cells, step/16, None), f"step {step/16:g}", 0.03),
             ((cells, step, 0.1), "stiffness 0.1", 0.03),
             ((cells, step, 10), "stiffness 10", 0.03),
             ((cells*3//2, step, None), f"D/h = {3*cells}", 0.1)):

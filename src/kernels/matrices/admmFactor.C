@@ -111,7 +111,9 @@ Foam::fsi::admmFactor::admmFactor
     {
         FatalErrorInFunction
             << "The ADMM matrix for the time step " << deltaT
-            << " s is not positive definite" << exit(FatalError);
+            << " s is not positive definite: a density in"
+            << " system/seedObjectsDict is too small, or E too large, for"
+            << " numbers of 16 digits" << exit(FatalError);
     }
 
     for (label i = 0; i < rowOf_.size(); ++i)
