@@ -73,6 +73,18 @@ b { type listed; shape ball; objects ({ centre (0.55 0.4 0.52); }); }
         "writeInterval": 3, **CONTROLS, **parameters}).set_up()
 
 
+def odd(path, **parameters):
+    """A square that is periodic in both directions, with an odd number of
+    cells, and a stream past a post."""
+    return fsiCase.Case(path, **{
+        "cells": (45, 45), "cyclic": "xy", "velocity": "(1 0.7 0)",
+        "shapes": PLANE_SHAPES, "placements":
+        "a { type listed; shape post; objects ({ centre (0.5 0.6 0); }); }\n"
+        "b { type listed; shape ball; objects ({ centre (0.6 0.97 0); }); }\n",
+        "deltaT": 0.004, "endTime": 0.04, "writeInterval": 10, **CONTROLS,
+        **parameters}).set_up()
+
+
 CROWD_SHAPES = """
 disc { shape { type circle; radius 0.09; } material { density 1.1; E 100; } }
 cell { shape { type circle; radius 0.08; }

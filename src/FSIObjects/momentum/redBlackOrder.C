@@ -4,22 +4,63 @@
 #include "cyclicPolyPatch.H"
 #include "openfoamMesh.H"
 
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Is a cell red?
+static boolList redCells(const cartesianMesh& grid)
+{
+    const cartesianBlock block(grid.cells());
+    const labelList& blockIndex = grid.blockIndex();
+    boolList red(blockIndex.size());
+    forAll(red, celli)
+    {
+        const labelVector ijk(block.ijk(blockIndex[celli]) + block.start());
+        red[celli] = (ijk.x() + ijk.y() + ijk.z()) % 2 == 0;
+    }
+    return red;
+}
+
+
+//- Cyclic patches whose cells have the colour of those on the other side
+static boolList oddCyclics(const cartesianMesh& grid)
+{
+    const boolList red(redCells(grid));
+    const polyBoundaryMesh& patches = grid.mesh().boundaryMesh();
+    boolList odd(patches.size(), false);
+    forAll(patches, patchi)
+    {
+        if (isA<cyclicPolyPatch>(patches[patchi]) && patches[patchi].size())
+        {
+            const cyclicPolyPatch& opposite =
+                oppositeOf(refCast<const cyclicPolyPatch>(patches[patchi]));
+            odd[patchi] =
+                red[patches[patchi].faceCells()[0]]
+             == red[opposite.faceCells()[0]];
+        }
+    }
+    return odd;
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::redBlackOrder::setRows()
 {
     const cartesianBlock block(grid_.cells());
     const labelList& blockIndex = grid_.blockIndex();
-    const labelVector& start = block.start();
 
-    boolList red(blockIndex.size());
-    nRed_ = 0;
-    forAll(red, celli)
-    {
-        const labelVector ijk(block.ijk(blockIndex[celli]) + start);
-        red[celli] = (ijk.x() + ijk.y() + ijk.z()) % 2 == 0;
-        nRed_ += red[celli];
-    }
+    const boolList red(redCells(grid_));
+    nRed_ = std::count(red.begin(), red.end(), true);
 
     // In the order of the block, so that neighbours are near in memory
     labelList order(block.size(), -1);
@@ -134,32 +175,12 @@ Foam::FixedList<Foam::label, 6> Foam::fsi::redBlackOrder::offsets
 }
 
 
-bool Foam::fsi::redBlackOrder::touchesOwnColour
-(
-    const FixedList<label, 6>& offset,
-    const label row
-) const
-{
-    for (label k = 0; k < nSlots_; ++k)
-    {
-        const label other = row + offset[k];
-        if (other < rowOf_.size() && (other < nRed_) == (row < nRed_))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-
 void Foam::fsi::redBlackOrder::setRuns(const labelUList& neighbourRow)
 {
-    bool closed = true;
     forAll(rowOf_, row)
     {
         const FixedList<label, 6> offset(offsets(neighbourRow, row));
-        const bool own = touchesOwnColour(offset, row);
-        if (closed || own || row == nRed_ || runs_.last().offset != offset)
+        if (row == 0 || row == nRed_ || runs_.last().offset != offset)
         {
             runs_.append(redBlackRun{row, row, offset});
         }
@@ -168,7 +189,6 @@ void Foam::fsi::redBlackOrder::setRuns(const labelUList& neighbourRow)
         {
             nRedRuns_ = runs_.size();
         }
-        closed = own;
     }
     runs_.shrink();
 }
@@ -181,7 +201,7 @@ Foam::fsi::redBlackOrder::redBlackOrder(const cartesianMesh& grid)
     grid_(grid),
     nSlots_(2*grid.nDims()),
     nRed_(0),
-    ghosts_(grid.mesh()),
+    ghosts_(grid.mesh(), oddCyclics(grid)),
     nRedRuns_(0)
 {
     setRows();

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Three ranks in a row, of which the middle one has two neighbours and the
-others one, and three of which one has no cells, give the objects of one rank,
-and so do four and six ranks where objects touch and go from one to the other; a
-restart on three ranks is the run without a stop to the last bit.
+others one, and three of which one has no cells, give the objects of one rank.
+So do two where a periodic square has an odd number of cells, and four and six
+ranks where objects touch and go from one to the other. A restart on three ranks
+is the run without a stop to the last bit.
 
     threeRanks.py FOLDER
 """
@@ -68,6 +69,8 @@ def main(folder):
     report = fsiCase.Report()
     report.attempt("ranks", anyRanks.compare, report, folder,
                    anyRanks.channel, [(3, 1, 1), "hollow"])
+    report.attempt("odd", anyRanks.compare, report, folder, anyRanks.odd,
+                   [(1, 2, 1)])
     report.attempt("crowd", anyRanks.compare, report, folder,
                    anyRanks.crowd, [(2, 2, 1), (3, 2, 1)])
     report.attempt("restart", check_restart, report, folder)
