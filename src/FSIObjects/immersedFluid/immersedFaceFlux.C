@@ -129,12 +129,16 @@ void Foam::fsi::immersedFlux::setFilmFluxes
     forAll(films, i)
     {
         const label facei = films[i].face;
+        const scalar kept = geometry_.films().kept(facei, tau, viscosity);
+        const scalar pushed =
+            geometry_.grid().faceAlong(facei)
+          ? films[i].pushed
+          : -films[i].pushed;
         atFace(flux, facei) =
             area*geometry_.openness()[facei]
            *(
-                velocity[i]
-              + geometry_.films().kept(facei, tau, viscosity)
-               *(atFace(history, facei) + tau*forces_[i])
+                velocity[i] + (1 - kept)*pushed
+              + kept*(atFace(history, facei) + tau*forces_[i])
             );
     }
 }

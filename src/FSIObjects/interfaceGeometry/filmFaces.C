@@ -87,7 +87,7 @@ void Foam::fsi::filmFaces::place
     const scalar other = mag(m.way(at[1], middle));
     film.middle = away/max(away + other, VSMALL);
     film.gap = max(mag(m.way(at[0], at[1])), least);
-    film.resistance = m.resistance(film.gap, least);
+    m.setProfile(p, least, film);
     keepOpen(p, film);
 }
 

@@ -145,6 +145,96 @@ Foam::scalar Foam::fsi::filmMeasures::resistance
 }
 
 
+void Foam::fsi::filmMeasures::setEnd
+(
+    const filmSearch::pair& p,
+    const label samplei,
+    const filmFace& film,
+    filmEnd& end
+) const
+{
+    const surfaceSample& sample = p.samples[samplei];
+    const point centre(sample.all->block.position(sample.at));
+    for (label side = 0; side < 2; ++side)
+    {
+        end.sides[side] = film.sides[side];
+        vector& normal = end.normals[side];
+        if (p.objects[side] < 0)
+        {
+            const direction d = grid.faceDirection(p.wallFace);
+            const point& wall = grid.mesh().faceCentres()[p.wallFace];
+            normal = Zero;
+            normal[d] = centre[d] > wall[d] ? 1 : -1;
+            continue;
+        }
+        label face;
+        FixedList<scalar, 3> weights;
+        end.sides[side].place = nearest(centre, side, face);
+        const vector area(surfaces.areaNormal(face));
+        normal = way(surfaces.nearestOnFace(face, centre, weights), centre);
+        if (mag(normal) < 1e-3*grid.spacing())
+        {
+            normal = area;
+        }
+        normal *= ((normal & area) < 0 ? -1 : 1)/max(mag(normal), VSMALL);
+    }
+}
+
+
+void Foam::fsi::filmMeasures::setProfile
+(
+    const filmSearch::pair& p,
+    const scalar least,
+    filmFace& film
+) const
+{
+    film.perOpening = 0;
+    film.resistance = resistance(film.gap, least);
+    if (gaps[nCorners] >= GREAT || gaps[nCorners + 1] >= GREAT)
+    {
+        return;
+    }
+    const label lower = grid.faceAlong(film.face) ? 0 : 1;
+    FixedList<scalar, 2> there;
+    vector across(Zero);
+    for (label k = 0; k < 2; ++k)
+    {
+        const label samplei = nCorners + (k == 0 ? lower : 1 - lower);
+        there[k] = max(gaps[samplei], least);
+        setEnd(p, samplei, film, film.ends[k]);
+        across += film.ends[k].normals[0] - film.ends[k].normals[1];
+    }
+    const scalar along =
+        1 - sqr(across[film.dir])/max(magSqr(across), VSMALL);
+    film.perOpening =
+        along*grid.spacing()/(film.gap*(grid.nDims() - 1));
+
+    film.profile = Zero;
+    const label n = 16;
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar x = (i + 0.5)/n - 0.5;
+        const scalar gap =
+            film.gap + (there[1] - there[0])*x
+          + 2*(there[0] + there[1] - 2*film.gap)*sqr(x);
+        const scalar weight = pow3(film.gap/max(gap, least))/n;
+        const FixedList<scalar, 3> a
+        ({
+            scalar(1), -0.5*(x - sqr(x)), -0.5*(x + sqr(x))
+        });
+        label place = 0;
+        for (label k = 0; k < 3; ++k)
+        {
+            for (label l = k; l < 3; ++l)
+            {
+                film.profile[place++] += weight*a[k]*a[l];
+            }
+        }
+    }
+    film.resistance = film.profile[0]/sqr(film.gap);
+}
+
+
 void Foam::fsi::filmMeasures::setCut
 (
     const label side,

@@ -116,6 +116,10 @@ Foam::scalar Foam::fsi::filmSearch::choose
             p.objects[1] = object;
         }
     }
+    if (least >= GREAT)
+    {
+        return GREAT;
+    }
     for (label i = 0; i < p.nSamples; ++i)
     {
         const surfaceSample& s = p.samples[i];

@@ -90,6 +90,7 @@ void Foam::fsi::viscousCoupling::nodeVelocity(nodeLayout::groupNodal& v)
     nodal_.reset(bodies_.surfaces().points().size());
     links_.addForce(fluid_.density, nodal_);
     films_.addForce(fluid_.density, nodal_);
+    nodal_.mine() += given_;
     vectorField& force = nodal_.collectWalls(bodies_.ranks());
     force += strainForce_;
     bodies_.layout().toBoundary(force, groupForce_);

@@ -22,6 +22,7 @@ void Foam::fsi::viscousCoupling::finish
     );
     partialForces all(linkForce_);
     films_.addForce(fluid_.density, nodalVelocity_, all);
+    all.mine() += given_;
     force = all.collectWalls(bodies_.ranks());
     addShortWaveForce
     (
@@ -43,11 +44,7 @@ void Foam::fsi::viscousCoupling::finish
     {
         if (responses_[groupi])
         {
-            responses_[groupi]->finish
-            (
-                groupForce_[groupi],
-                velocity[groupi]
-            );
+            responses_[groupi]->finish(groupForce_[groupi], velocity[groupi]);
         }
     }
 }
@@ -105,10 +102,12 @@ void Foam::fsi::viscousCoupling::solve
     const stepLength& step,
     const expectedChange& change,
     const nodeLayout::groupNodal& predicted,
+    const vectorField& given,
     nodeLayout::groupNodal& velocity,
     vectorField& force
 )
 {
+    given_ = given;
     updateResponses(step, predicted);
     setMatrix(UEqn, change);
     solverPerformance result("fsiSOR", U.name());

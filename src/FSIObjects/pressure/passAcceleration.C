@@ -73,17 +73,33 @@ Foam::scalarField Foam::fsi::passAcceleration::next
     {
         passes_.pop_front();
     }
-    const scalarList c(factors());
+    factors_ = factors();
     scalarField x(start + change);
-    forAll(c, j)
+    forAll(factors_, j)
     {
         const pass& before = passes_[j];
         const pass& after = passes_[j + 1];
         x -=
-            c[j]
+            factors_[j]
            *(
                 after.start - before.start + after.change - before.change
             );
+    }
+    return x;
+}
+
+
+Foam::vectorField Foam::fsi::passAcceleration::beside(const vectorField& found)
+{
+    beside_.push_back(found);
+    if (label(beside_.size()) > factors_.size() + 1)
+    {
+        beside_.pop_front();
+    }
+    vectorField x(found);
+    forAll(factors_, j)
+    {
+        x -= factors_[j]*(beside_[j + 1] - beside_[j]);
     }
     return x;
 }

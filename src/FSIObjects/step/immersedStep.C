@@ -39,6 +39,7 @@ Foam::fsi::immersedStep::immersedStep
     term_(objects.bodies(), walls_, objects.fluid().density),
     sudden_(objects, geometry_, walls_),
     passes_(dict, objects.bodies().onlyMembranes()),
+    profiles_(geometry_, objects.fluid()),
     balance_
     (
         objects.bodies(), geometry_, objects.levelSet(),
@@ -144,6 +145,7 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
         )
     );
     passes_.begin();
+    profiles_.begin(objects_.bodies().surfaces().velocities());
     volScalarField& last = oldPressure_();
     sudden_.answer(last, pressure_, step());
     fillFilmCells(geometry_, last);

@@ -18,15 +18,11 @@ void Foam::fsi::immersedStep::solveMomentum
     tmp<fvVectorMatrix> UEqn(momentum(convectiveFlux, gradient_(), sources));
     geometry_.setWallVelocities(U_);
     membranes_.addTo(UEqn.ref());
+    profiles_.update(oldPressure_(), step().tau);
     viscous_.solve
     (
-        UEqn.ref(),
-        U_,
-        step(),
-        change,
-        predicted_,
-        velocity_.change(),
-        linkForce_
+        UEqn.ref(), U_, step(), change, predicted_, profiles_.force(),
+        velocity_.change(), linkForce_
     );
     sources.correct(U_);
 }
@@ -149,11 +145,10 @@ bool Foam::fsi::immersedStep::passAgain
     const vectorField lastForce(gradientForce_);
     p_.primitiveFieldRef() = passes_.next
     (
-        start.primitiveField(),
-        p_.primitiveField(),
-        p_.needReference(),
+        start.primitiveField(), p_.primitiveField(), p_.needReference(),
         geometry_.activeCell()
     );
+    profiles_.next(passes_, velocity_.surface());
     p_.correctBoundaryConditions();
     start.primitiveFieldRef() = p_.primitiveField();
     start.correctBoundaryConditions();

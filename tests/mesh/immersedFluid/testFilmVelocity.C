@@ -32,6 +32,59 @@ scalar cut(const point& from, const direction axis, const point& centre)
 } // End anonymous namespace
 
 
+TEST(films, openAtTheirEndsAsTheirSurfacesMove)
+{
+    const vector normal(0.8, 0.6, 0);
+    const point middle(16.3, 16.1, 0);
+    const vector away((radius + 0.5*gap)*normal);
+    for (direction split = 0; split < 2; ++split)
+    {
+        surfacesInBox discs(labelVector(32, 32, 1), 2, split);
+        discs.move
+        (
+            discSurfaces
+            (
+                List<point>({middle - away, middle + away}), radius, 96
+            )
+        );
+        const labelUList& object = discs.surfaces().pointObject();
+        const vector wind(1, 2, 0);
+        const vectorField together(object.size(), wind);
+        vectorField apart(object.size());
+        forAll(apart, i)
+        {
+            apart[i] = object[i] == 0 ? vector(-normal) : normal;
+        }
+        label n = 0;
+        for (const filmFace& film : discs.geometry().films().faces())
+        {
+            if (film.perOpening <= 0)
+            {
+                continue;
+            }
+            const vector u(film.velocityThere(together));
+            EXPECT_NEAR(mag(u - wind), 0, 1e-12);
+            for (const filmEnd& end : film.ends)
+            {
+                EXPECT_NEAR(end.opening(together, u), 0, 1e-12);
+                const vector across
+                (
+                    (film.sides[0].place.object == 0 ? 1 : -1)
+                   *(end.normals[0] - end.normals[1])
+                );
+                EXPECT_NEAR
+                (
+                    end.opening(apart, vector::zero), across & normal, 1e-12
+                );
+                EXPECT_GT(across & normal, 1);
+                ++n;
+            }
+        }
+        EXPECT_GT(overRanks(n, sumOp<label>()), 20);
+    }
+}
+
+
 TEST(films, moveByTheirPartsOnBothSidesOfTheMiddle)
 {
     // The flow along the film has no net flux through any section across it.

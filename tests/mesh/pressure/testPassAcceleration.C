@@ -54,6 +54,28 @@ TEST(passAcceleration, endsWhereEachValueWasSeen)
 }
 
 
+TEST(passAcceleration, givesWhatIsBesideAValueTheSameWay)
+{
+    // A vector that is linear in x stays so
+    const scalarField d({0.1, 0.7, 2.5});
+    passAcceleration acceleration(2);
+    scalarField x(d.size(), Zero);
+    for (label pass = 0; pass < 4; ++pass)
+    {
+        const scalarField f(change(x, d));
+        const scalarField found(x + f);
+        x = acceleration.next(x, f);
+        const vectorField beside
+        (
+            acceleration.beside(vectorField(1, vector(found[0], found[2], 1)))
+        );
+        EXPECT_NEAR(beside[0].x(), x[0], 1e-10);
+        EXPECT_NEAR(beside[0].y(), x[2], 1e-10);
+        EXPECT_NEAR(beside[0].z(), 1, 1e-12);
+    }
+}
+
+
 TEST(passAcceleration, withoutMemoryIsTheBareIteration)
 {
     // f falls by 1 - 0.5 in each pass

@@ -1,0 +1,58 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Two discs approach each other along an axis of the mesh, with a film thinner
+than a cell, at several places in the mesh; a disc slides along a wall; a free
+disc is pushed to a wall with a large step.
+
+    filmPlaces.py FOLDER
+
+The pressure of a film changes within a cell. With the profile of the film
+(theory.md, (5.33)) the force is the exact one to some per cent at each place;
+where cells have one pressure, it is 1.2 to 1.9 times as large at 0.1 h. A disc
+that slides on a wall is not pushed from it; without the profile it has half
+of the force of sliding. The tolerances are those of the validation.
+"""
+
+import os
+import sys
+
+import fsiCase
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                             "../../../tutorials/validation"))
+
+import lubrication  # noqa: E402
+import resistances  # noqa: E402
+import wallFilms  # noqa: E402
+
+RADIUS, STEP = 4, 10
+
+
+def approach(gap, place):
+    """Force over the exact one, the discs' middle at a place in the mesh."""
+    found, _ = resistances.forces(
+        "squeeze", gap, STEP, RADIUS,
+        ([place, 0.3 + place], [1, 0, 0], [0, 1, 0], [0, 0, 1]))
+    known = resistances.exact()[round(gap/RADIUS, 6)]["squeezeForce"]
+    return abs(found[1][0])/known
+
+
+def main(folder):
+    """All checks."""
+    os.chdir(folder)
+    report = fsiCase.Report()
+    for gap in (0.2, 0.1):
+        for place in (0, 0.25, 0.5, 0.75):
+            found = approach(gap, place)
+            report.check(f"gap of {gap} h, place {place}",
+                         abs(found - 1) < 0.1, found)
+    for row in wallFilms.rows(2, "slide", 0.1, STEP, RADIUS, [[0.1], [0.6]]):
+        if "force on the wall" in row.what:
+            report.check(row.what, abs(row.value) < 0.1, row.value)
+    row = lubrication.approach(2, 1, 40)
+    report.check(row.what + ", " + row.grid, abs(row.value - 1) < 0.1,
+                 row.value)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
