@@ -86,12 +86,12 @@ void Foam::fsi::movedFaces::end
     const fvMesh& mesh = U.mesh();
     const label nInternal = mesh.nInternalFaces();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    for (const label facei : geometry_.nearFaces())
+    const UList<label> near
+    (
+        before_.valid() ? geometry_.nearFaces() : UList<label>()
+    );
+    for (const label facei : near)
     {
-        if (!before_.valid())
-        {
-            break;
-        }
         const char before = kindBefore(facei);
         const char now = kindOf(facei);
         if
