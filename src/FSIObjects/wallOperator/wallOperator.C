@@ -15,7 +15,8 @@ Foam::fsi::wallOperator::wallOperator
     geometry_(geometry),
     ranks_(ranks),
     nNodes_(0),
-    nObjects_(0)
+    nObjects_(0),
+    films_(geometry)
 {}
 
 
@@ -95,6 +96,7 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
     meanPressure_.setSize(nObjects_);
 
     setEntries();
+    films_.update();
     cuts_.update(geometry_, surfaces);
     transposeSums(scalarField(cells_.size(), 1), uniformForce_);
     givenFlux_.setSize(nObjects_);
@@ -185,10 +187,16 @@ void Foam::fsi::wallOperator::gradientForce
             if (!fluid[celli])
             {
                 const scalar share = w.area/closed[place_[celli]];
-                w.place.spread(mine, -share*V[celli]*g[celli]);
+                vector rest(g[celli]);
+                for (direction d = 0; d < 3; ++d)
+                {
+                    rest[d] = films_.take(celli, d) ? 0 : rest[d];
+                }
+                w.place.spread(mine, vector(-share*V[celli]*rest));
             }
         }
     }
+    films_.addForce(g, mine);
     f.transfer(part.collectWalls(ranks_));
 }
 
