@@ -6,32 +6,27 @@
 
 Foam::FixedList<Foam::label, 2> Foam::fsi::filmShares::cellsBeside
 (
-    const label facei
+    const filmFace& film
 ) const
 {
     const fvMesh& mesh = geometry_.grid().mesh();
-    const boolList& active = geometry_.activeCell();
-    FixedList<label, 2> cells
+    const bool internal = film.face < mesh.nInternalFaces();
+    return FixedList<label, 2>
     ({
-        mesh.faceOwner()[facei],
-        facei < mesh.nInternalFaces() ? mesh.faceNeighbour()[facei] : -1
+        mesh.faceOwner()[film.face],
+        internal ? mesh.faceNeighbour()[film.face] : -1
     });
-    for (label& celli : cells)
-    {
-        celli = celli >= 0 && active[celli] ? celli : -1;
-    }
-    return cells;
 }
 
 
-void Foam::fsi::filmShares::count()
+void Foam::fsi::filmShares::setCells()
 {
     const boolList& fluid = geometry_.fluidCell();
     solid_.clear();
     links_.clear();
     for (const filmFace& film : geometry_.films().faces())
     {
-        for (const label celli : cellsBeside(film.face))
+        for (const label celli : cellsBeside(film))
         {
             if (celli >= 0 && fluid[celli])
             {
@@ -39,18 +34,8 @@ void Foam::fsi::filmShares::count()
             }
             else if (celli >= 0)
             {
-                solid_(key(celli, film.dir)) += 1;
-            }
-        }
-    }
-    for (const wallFace& w : geometry_.wallFaces())
-    {
-        for (const label celli : {w.lower, w.upper})
-        {
-            auto found = solid_.find(key(celli, w.dir));
-            if (celli >= 0 && !w.film && found != solid_.end())
-            {
-                *found += w.area/geometry_.grid().faceArea();
+                solid_.insert(celli, vector(Zero));
+                solid_[celli][film.dir] += 1;
             }
         }
     }
@@ -99,15 +84,7 @@ void Foam::fsi::filmShares::add
     ({
         film.closed[0] + 0.5*open, film.closed[1] + 0.5*open
     });
-    const auto faces = solid_.find(key(celli, film.dir));
-    if (faces != solid_.end())
-    {
-        for (scalar& x : part)
-        {
-            x *= -1/(*faces);
-        }
-    }
-    else
+    if (geometry_.fluidCell()[celli])
     {
         const scalar first = linked(film.sides[0], celli);
         const scalar second = linked(film.sides[1], celli);
@@ -143,11 +120,11 @@ Foam::fsi::filmShares::filmShares(const interfaceGeometry& geometry)
 
 void Foam::fsi::filmShares::update()
 {
+    setCells();
     shares_.clear();
-    count();
     for (const filmFace& film : geometry_.films().faces())
     {
-        for (const label celli : cellsBeside(film.face))
+        for (const label celli : cellsBeside(film))
         {
             if (celli >= 0)
             {
@@ -159,14 +136,36 @@ void Foam::fsi::filmShares::update()
     {
         for (const label celli : {w.lower, w.upper})
         {
-            const auto faces = solid_.find(key(celli, w.dir));
-            if (celli >= 0 && !w.film && faces != solid_.end())
+            auto found = solid_.find(celli);
+            if (!w.film && found != solid_.end() && (*found)[w.dir] > 0)
             {
                 const scalar part = w.area/geometry_.grid().faceArea();
-                shares_.append({celli, w.dir, w.place, -part/(*faces)});
+                shares_.append({celli, w.dir, w.place, part});
+                (*found)[w.dir] += part;
             }
         }
     }
+    for (share& s : shares_)
+    {
+        const auto found = solid_.find(s.cell);
+        s.part /= found == solid_.end() ? 1 : -(*found)[s.dir];
+    }
+}
+
+
+Foam::vector Foam::fsi::filmShares::rest
+(
+    const label celli,
+    const vector& gradient
+) const
+{
+    vector rest(gradient);
+    const auto found = solid_.find(celli);
+    for (direction d = 0; d < 3 && found != solid_.end(); ++d)
+    {
+        rest[d] = (*found)[d] > 0 ? 0 : rest[d];
+    }
+    return rest;
 }
 
 

@@ -187,12 +187,8 @@ void Foam::fsi::wallOperator::gradientForce
             if (!fluid[celli])
             {
                 const scalar share = w.area/closed[place_[celli]];
-                vector rest(g[celli]);
-                for (direction d = 0; d < 3; ++d)
-                {
-                    rest[d] = films_.take(celli, d) ? 0 : rest[d];
-                }
-                w.place.spread(mine, vector(-share*V[celli]*rest));
+                const vector rest(films_.rest(celli, g[celli]));
+                w.place.spread(mine, -share*V[celli]*rest);
             }
         }
     }

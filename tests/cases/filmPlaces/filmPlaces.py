@@ -10,10 +10,10 @@ The pressure of a film changes within a cell. With the profile of the film
 (theory.md, (5.33)) the force is the exact one to some per cent at each place;
 where cells have one pressure, it is 1.2 to 1.9 times as large at 0.1 h. A disc
 that slides on a wall is not pushed from it; without the profile it has half
-of the force of sliding. Of two discs that roll on each other both have the
-force; where the cells' centres say which one gets the friction (5.36), one has
-up to 1.5 of it. The tolerances are those of the validation, and half of the
-one for single places where two rollers differ.
+of the force of sliding. Two discs that roll on each other both have the exact
+force; without (5.36) the centres of cells decide which disc gets the friction,
+and one has 1.4 of it. The tolerances are those of the validation; rollers have
+half of its 50 % for single places.
 """
 
 import os
