@@ -44,7 +44,8 @@ Foam::fsi::pressurePasses::pressurePasses
     leastError_(0),
     firstSpeed_(0),
     change_(GREAT),
-    state_(state::open),
+    refused_(false),
+    nRefused_(0),
     acceleration_(most_)
 {}
 
@@ -55,7 +56,8 @@ void Foam::fsi::pressurePasses::begin()
 {
     done_ = 0;
     error_ = 0;
-    state_ = state::open;
+    refused_ = false;
+    nRefused_ = 0;
     acceleration_.clear();
 }
 
@@ -89,10 +91,15 @@ void Foam::fsi::pressurePasses::measure
     {
         velocity_ = velocity;
     }
-    state_ =
-        state_ == state::refused ? state::closed
-      : worse(nodes, fluid) ? state::refused
-      : state::open;
+    if (refused_)
+    {
+        // The one before once more: go on from it, without what led astray
+        refused_ = false;
+        acceleration_.clear();
+        return;
+    }
+    refused_ = worse(nodes, fluid);
+    nRefused_ += refused_;
 }
 
 
@@ -123,13 +130,12 @@ Foam::scalarField Foam::fsi::pressurePasses::next
 
 void Foam::fsi::pressurePasses::report(runLog& log) const
 {
-    const bool again = state_ == state::closed;
     if (log.full())
     {
-        Info<< "Passes: " << done_ << ", splitting error: " << error_
-            << (again ? ", the last pass as the last but two" : "") << endl;
+        Info<< "Passes: " << done_ << ", refused: " << nRefused_
+            << ", splitting error: " << error_ << endl;
     }
-    if (again)
+    if (nRefused_)
     {
         log.warned("passes that made it worse");
     }

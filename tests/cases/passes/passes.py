@@ -46,7 +46,7 @@ def solve(folder, name, step, coupling=""):
     means = [sum(results.field(case.path, t, "U")[::3])/CELLS**2
              for t in results.times(case.path) if float(t) > 0.79]
     ends = (means[0] + means[-1])/2
-    found = re.findall(r"Passes: (\d+), splitting error: ([-+.0-9e]+)", log)
+    found = re.findall(r"Passes: (\d+), .*splitting error: ([-+.0-9e]+)", log)
     return ((sum(means) - ends)/(len(means) - 1),
             [(int(n), float(error)) for n, error in found])
 
