@@ -152,7 +152,12 @@ void Foam::fsi::cutFaces::placeWallFaces
         wallOrigin& origin = wallOrigins_[i];
         origin.cut = false;
         origin.middle = faceCentres[w.face];
-        if (w.area < 1)
+        const auto closed = open_.films().closed().find(w.face);
+        if (closed != open_.films().closed().end())
+        {
+            origin = *closed;
+        }
+        else if (w.area < 1)
         {
             setCut(levelSet.cornerDistance(), corners, w.face, origin);
         }

@@ -30,14 +30,12 @@ void Foam::fsi::filmFaces::keepOpen
     bool crosses = true;
     for (label side = 0; side < 2; ++side)
     {
-        crosses = crosses && (p.objects[side] < 0 || film.closed[side] > 0);
+        const bool covers = film.closed[side] > 2*smallestOpenness;
+        crosses = crosses && (p.objects[side] < 0 || covers);
     }
-    const scalar least =
-        crosses
-      ? min(film.gap/grid_.spacing(), scalar(0.5))
-      : smallestOpenness;
+    const scalar least = min(film.gap/grid_.spacing(), scalar(0.5));
     const scalar closed = film.closed[0] + film.closed[1];
-    if (closed > 1 - least && (crosses || closed < 1))
+    if (crosses && closed > 1 - least)
     {
         for (scalar& part : film.closed)
         {
@@ -66,29 +64,36 @@ void Foam::fsi::filmFaces::place
     }
 
     const point middle(m.openMiddle(film));
-    FixedList<point, 2> at;
-    FixedList<scalar, 3> weights;
+    FixedList<scalar, 2> away;
     for (label side = 0; side < 2; ++side)
     {
-        if (p.objects[side] < 0)
-        {
-            const direction d = grid_.faceDirection(p.wallFace);
-            film.sides[side].wallFace = p.wallFace;
-            at[side] = middle;
-            at[side][d] = grid_.mesh().faceCentres()[p.wallFace][d];
-            continue;
-        }
-        label& face = film.origins[side].surface;
-        film.sides[side].place = m.nearest(middle, side, face);
-        at[side] = m.surfaces.nearestOnFace(face, middle, weights);
+        vector normal;
+        away[side] = m.setSide
+        (
+            p, middle, side, film.sides[side], film.origins[side].surface,
+            normal
+        );
+        away[side] = max(away[side], scalar(0));
     }
     const scalar least = thinnest*grid_.spacing();
-    const scalar away = mag(m.way(at[0], middle));
-    const scalar other = mag(m.way(at[1], middle));
-    film.middle = away/max(away + other, VSMALL);
-    film.gap = max(mag(m.way(at[0], at[1])), least);
-    m.setProfile(p, least, film);
+    film.gap = max(away[0] + away[1], least);
+    film.middle = away[0]/max(away[0] + away[1], VSMALL);
+    m.setProfile(p, middle, least, film);
     keepOpen(p, film);
+}
+
+
+void Foam::fsi::filmFaces::add(const filmFace& film)
+{
+    if (film.open() > smallestOpenness)
+    {
+        faces_.append(film);
+    }
+    else
+    {
+        const bool second = film.closed[1] > film.closed[0];
+        closed_.insert(film.face, film.origins[second]);
+    }
 }
 
 
@@ -170,6 +175,7 @@ void Foam::fsi::filmFaces::update
         place_[film.face] = -1;
     }
     faces_.clear();
+    closed_.clear();
     if (!used(levelSet))
     {
         return;
@@ -181,6 +187,7 @@ void Foam::fsi::filmFaces::update
     const surfaceSamples atCentres(surfaceSamples::centres(levelSet, grid_));
     const scalar limit = 1.01*widest*grid_.spacing();
     const labelList& second = levelSet.centreSamples().secondFace();
+    curvedSurface curved(surfaces);
     filmSearch::pair p;
     for (const label facei : nearFaces)
     {
@@ -211,16 +218,13 @@ void Foam::fsi::filmFaces::update
         {
             continue;
         }
-        const filmMeasures m(grid_, surfaces, atCorners.block, p);
+        const filmMeasures m(grid_, surfaces, curved, atCorners.block, p);
         if (m.meanGap() < limit && m.covered(0, 0) < 1 && m.covered(1, 0) < 1)
         {
             filmFace film;
             film.face = facei;
             place(p, m, film);
-            if (film.closed[0] + film.closed[1] < 1)
-            {
-                faces_.append(film);
-            }
+            add(film);
         }
     }
     agree();

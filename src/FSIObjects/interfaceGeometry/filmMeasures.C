@@ -11,12 +11,14 @@ Foam::fsi::filmMeasures::filmMeasures
 (
     const cartesianMesh& grid,
     const surfaceSet& surfaces,
+    curvedSurface& curved,
     const cartesianBlock& corners,
     const filmSearch::pair& p
 )
 :
     grid(grid),
     surfaces(surfaces),
+    curved(curved),
     corners(corners),
     nCorners(p.nSamples - 2)
 {
@@ -52,18 +54,23 @@ Foam::vector Foam::fsi::filmMeasures::way
 }
 
 
-Foam::fsi::surfacePlace Foam::fsi::filmMeasures::nearest
+Foam::scalar Foam::fsi::filmMeasures::nearest
 (
     const point& p,
     const label side,
-    label& face
+    filmSide& to,
+    label& face,
+    vector& normal
 ) const
 {
     const UList<label> known
     (
         const_cast<label*>(faces[side].cdata()), nCorners + 2
     );
-    return nearestPlace(surfaces, p, known, face);
+    to.place = nearestPlace(surfaces, p, known, face);
+    FixedList<scalar, 3> weights;
+    const vector out(way(surfaces.nearestOnFace(face, p, weights), p));
+    return curved.distance(face, weights, out, normal);
 }
 
 
@@ -73,12 +80,10 @@ Foam::scalar Foam::fsi::filmMeasures::from
     const label side
 ) const
 {
+    filmSide to;
     label face;
-    nearest(p, side, face);
-    FixedList<scalar, 3> weights;
-    const point at(surfaces.nearestOnFace(face, p, weights));
-    const vector to(way(at, p));
-    return (to & surfaces.areaNormal(face)) < 0 ? -mag(to) : mag(to);
+    vector normal;
+    return nearest(p, side, to, face, normal);
 }
 
 
@@ -124,114 +129,91 @@ Foam::scalar Foam::fsi::filmMeasures::meanGap() const
 }
 
 
-Foam::scalar Foam::fsi::filmMeasures::resistance
+Foam::scalar Foam::fsi::filmMeasures::setSide
 (
-    const scalar gap,
-    const scalar least
+    const filmSearch::pair& p,
+    const point& x,
+    const label side,
+    filmSide& to,
+    label& face,
+    vector& normal
 ) const
 {
-    // Simpson's rule
-    scalar sum = 4/sqr(gap);
-    scalar weight = 4;
-    for (label i = nCorners; i < nCorners + 2; ++i)
+    if (p.objects[side] >= 0)
     {
-        if (gaps[i] < GREAT)
-        {
-            sum += 1/sqr(max(gaps[i], least));
-            weight += 1;
-        }
+        return nearest(x, side, to, face, normal);
     }
-    return sum/weight;
+    face = -1;
+    to.wallFace = p.wallFace;
+    const direction d = grid.faceDirection(p.wallFace);
+    normal = Zero;
+    normal[d] = grid.faceAlong(p.wallFace) ? -1 : 1;
+    return normal & (x - grid.mesh().faceCentres()[p.wallFace]);
 }
 
 
-void Foam::fsi::filmMeasures::setEnd
+Foam::scalar Foam::fsi::filmMeasures::across
 (
     const filmSearch::pair& p,
-    const label samplei,
-    const filmFace& film,
-    filmEnd& end
+    point& x,
+    filmEnd& there
 ) const
 {
-    const surfaceSample& sample = p.samples[samplei];
-    const point centre(sample.all->block.position(sample.at));
-    for (label side = 0; side < 2; ++side)
+    FixedList<scalar, 2> d;
+    for (label i = 0; i < 3; ++i)
     {
-        end.sides[side] = film.sides[side];
-        vector& normal = end.normals[side];
-        if (p.objects[side] < 0)
+        for (label side = 0; side < 2; ++side)
         {
-            const direction d = grid.faceDirection(p.wallFace);
-            const point& wall = grid.mesh().faceCentres()[p.wallFace];
-            normal = Zero;
-            normal[d] = centre[d] > wall[d] ? 1 : -1;
-            continue;
+            label face;
+            d[side] = setSide
+            (
+                p, x, side, there.sides[side], face, there.normals[side]
+            );
         }
-        label face;
-        FixedList<scalar, 3> weights;
-        end.sides[side].place = nearest(centre, side, face);
-        const vector area(surfaces.areaNormal(face));
-        normal = way(surfaces.nearestOnFace(face, centre, weights), centre);
-        if (mag(normal) < 1e-3*grid.spacing())
-        {
-            normal = area;
-        }
-        normal *= ((normal & area) < 0 ? -1 : 1)/max(mag(normal), VSMALL);
+        const vector over(there.normals[0] - there.normals[1]);
+        x += 0.5*(d[1] - d[0])*over/max(mag(over), VSMALL);
     }
+    // Between walls that open by the angle 2 alpha
+    const scalar sine = 0.5*mag(there.normals[0] + there.normals[1]);
+    return (d[0] + d[1])/Foam::cbrt(1 + 0.4*sqr(sine));
 }
 
 
 void Foam::fsi::filmMeasures::setProfile
 (
     const filmSearch::pair& p,
+    const point& middle,
     const scalar least,
     filmFace& film
 ) const
 {
-    film.perOpening = 0;
-    film.resistance = resistance(film.gap, least);
-    if (gaps[nCorners] >= GREAT || gaps[nCorners + 1] >= GREAT)
-    {
-        return;
-    }
     const label lower = grid.faceAlong(film.face) ? 0 : 1;
-    FixedList<scalar, 2> there;
-    vector across(Zero);
+    FixedList<point, 2> at;
+    FixedList<scalar, 3> sampled, thickness;
+    bool known = true;
     for (label k = 0; k < 2; ++k)
     {
         const label samplei = nCorners + (k == 0 ? lower : 1 - lower);
-        there[k] = max(gaps[samplei], least);
-        setEnd(p, samplei, film, film.ends[k]);
-        across += film.ends[k].normals[0] - film.ends[k].normals[1];
+        at[k] = p.samples[samplei].position();
+        thickness[2*k] = across(p, at[k], film.ends[k]);
+        const FixedList<vector, 2>& n = film.ends[k].normals;
+        known = known && gaps[samplei] < GREAT && (n[0] & n[1]) < -0.5;
+        sampled[2*k] = gaps[samplei] < GREAT ? gaps[samplei] : film.gap;
     }
-    const scalar along =
-        1 - sqr(across[film.dir])/max(magSqr(across), VSMALL);
-    film.perOpening =
-        along*grid.spacing()/(film.gap*(grid.nDims() - 1));
-
-    film.profile = Zero;
-    const label n = 16;
-    for (label i = 0; i < n; ++i)
-    {
-        const scalar x = (i + 0.5)/n - 0.5;
-        const scalar gap =
-            film.gap + (there[1] - there[0])*x
-          + 2*(there[0] + there[1] - 2*film.gap)*sqr(x);
-        const scalar weight = pow3(film.gap/max(gap, least))/n;
-        const FixedList<scalar, 3> a
-        ({
-            scalar(1), -0.5*(x - sqr(x)), -0.5*(x + sqr(x))
-        });
-        label place = 0;
-        for (label k = 0; k < 3; ++k)
-        {
-            for (label l = k; l < 3; ++l)
-            {
-                film.profile[place++] += weight*a[k]*a[l];
-            }
-        }
-    }
-    film.resistance = film.profile[0]/sqr(film.gap);
+    const vector along(way(at[0], at[1]));
+    point between(0.5*(at[0] + at[1]));
+    const vector toFace(way(between, middle));
+    filmEnd unused;
+    thickness[1] = across(p, between, unused);
+    sampled[1] = film.gap;
+    const scalar h = grid.spacing();
+    // A face across which the film lies is not between the ends
+    const scalar ratio = (toFace & along)/max(magSqr(along), VSMALL);
+    const scalar xf = max(min(ratio, scalar(0.5)), scalar(-0.5));
+    known = known && mag(along) < 1.5*h;
+    const scalar area = film.gap*h*(grid.nDims() - 1);
+    film.perOpening = known ? magSqr(along)/area : 0;
+    film.setProfile(known ? thickness : sampled, xf, least);
 }
 
 
@@ -242,27 +224,29 @@ void Foam::fsi::filmMeasures::setCut
 ) const
 {
     const FixedList<point, 4> at(corners.positions(grid.cornersOf(film.face)));
-    const edgeCuts linear(moved(side, 0), at, nCorners);
     wallOrigin& origin = film.origins[side];
-    origin.cut = linear.n > 0;
+    origin.cut = false;
     origin.middle = grid.mesh().faceCentres()[film.face];
     scalar error = 0;
-    if (origin.cut)
+    for (label way = 0; way < 2; ++way)
     {
+        const edgeCuts cuts(moved(side, error), at, nCorners);
+        if (cuts.n == 0)
+        {
+            break;
+        }
+        origin.cut = true;
         // Mean over a cut by Simpson's rule
-        origin.middle = linear.middle();
-        for (label i = 0; i < linear.n; ++i)
+        origin.middle = cuts.middle();
+        scalar more = 0;
+        for (label i = 0; i < cuts.n; ++i)
         {
-            error += from(linear.at[i], side)/linear.n;
+            more += from(cuts.at[i], side)/cuts.n;
         }
-        if (nCorners == 4)
-        {
-            error = (error + 2*from(origin.middle, side))/3;
-        }
-        const edgeCuts measured(moved(side, error), at, nCorners);
-        origin.middle = measured.n > 0 ? measured.middle() : origin.middle;
+        error += nCorners == 2 ? more : (more + 2*from(origin.middle, side))/3;
     }
-    film.closed[side] = covered(side, error);
+    // At a corner of the face the surface keeps its place
+    film.closed[side] = max(covered(side, error), origin.cut ? 1e-6 : 0);
 }
 
 

@@ -154,7 +154,7 @@ bool Foam::fsi::filmSearch::from
         return s.from(surfaces, p.objects[side], distance, face);
     }
     face = -1;
-    distance = fromWall(grid, p.wallFace, s.all->block.position(s.at));
+    distance = fromWall(grid, p.wallFace, s.position());
     return true;
 }
 
@@ -202,7 +202,7 @@ bool Foam::fsi::filmSearch::chooseWall
                 (
                     sum,
                     s.distance()
-                  + fromWall(grid, *found, s.all->block.position(s.at))
+                  + fromWall(grid, *found, s.position())
                 );
             }
         }

@@ -85,7 +85,11 @@ void Foam::fsi::openParts::setOpenness
     films_.update(levelSet, surfaces, nearFaces_);
     for (const filmFace& film : films_.faces())
     {
-        openness_[film.face] = 1 - (film.closed[0] + film.closed[1]);
+        openness_[film.face] = film.open();
+    }
+    forAllConstIter(Map<wallOrigin>, films_.closed(), iter)
+    {
+        openness_[iter.key()] = 0;
     }
 
     // On cyclic patches the distances of both sides differ by round-off

@@ -53,8 +53,10 @@ void Foam::fsi::filmProfiles::addForce
             sum += force;
         }
     }
-    film.sides[0].spread(force_, (film.middle - 1)*sum);
-    film.sides[1].spread(force_, -film.middle*sum);
+    forAll(film.sides, i)
+    {
+        film.sides[i].spread(force_, vector(-0.5*sum));
+    }
 }
 
 
@@ -116,7 +118,7 @@ void Foam::fsi::filmProfiles::update
             continue;
         }
         const FixedList<scalar, 6>& m = film.profile;
-        const vector u(film.velocityThere(velocity_));
+        const vector u(film.meanVelocity(velocity_));
         FixedList<scalar, 2> s;
         forAll(s, k)
         {

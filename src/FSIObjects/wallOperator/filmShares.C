@@ -79,7 +79,7 @@ void Foam::fsi::filmShares::add
     const label celli
 )
 {
-    const scalar open = 1 - (film.closed[0] + film.closed[1]);
+    const scalar open = film.open();
     FixedList<scalar, 2> part
     ({
         film.closed[0] + 0.5*open, film.closed[1] + 0.5*open

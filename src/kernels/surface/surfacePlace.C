@@ -93,6 +93,24 @@ label nextAbout
     return -1;
 }
 
+//- Has the angle between two faces at least this cosine?
+bool turnsLess
+(
+    const surfaceSet& surfaces,
+    const label a,
+    const label b,
+    const scalar leastCosine
+)
+{
+    if (leastCosine <= -1)
+    {
+        return true;
+    }
+    const vector n(surfaces.areaNormal(a));
+    const vector other(surfaces.areaNormal(b));
+    return (n & other) >= leastCosine*mag(n)*mag(other);
+}
+
 } // End anonymous namespace
 
 
@@ -158,7 +176,8 @@ void Foam::fsi::appendFacesAt
     const surfaceSet& surfaces,
     const label facei,
     const FixedList<scalar, 3>& weights,
-    DynamicList<label>& faces
+    DynamicList<label>& faces,
+    const scalar leastCosine
 )
 {
     faces.append(facei);
@@ -177,7 +196,12 @@ void Foam::fsi::appendFacesAt
     {
         label last = facei;
         label next = weights[i] <= 0 ? surfaces.faceAcross(facei, i) : -1;
-        while (next >= 0 && next != facei)
+        while
+        (
+            next >= 0
+         && next != facei
+         && turnsLess(surfaces, last, next, leastCosine)
+        )
         {
             faces.append(next);
             const label after =

@@ -10,10 +10,11 @@ The pressure of a film changes within a cell. With the profile of the film
 (theory.md, (5.33)) the force is the exact one to some per cent at each place;
 where cells have one pressure, it is 1.2 to 1.9 times as large at 0.1 h. A disc
 that slides on a wall is not pushed from it; without the profile it has half
-of the force of sliding. Two discs that roll on each other both have the exact
-force; without (5.36) the centres of cells decide which disc gets the friction,
-and one has 1.4 of it. The tolerances are those of the validation; rollers have
-half of its 50 % for single places.
+of the force of sliding. Of two discs that roll on each other both have the
+force; where the cells' centres say which one gets the friction (5.36), one has
+up to 1.5 of it. At the last place the film goes by a corner of cells, and the
+discs have 0.7 of the force if a face that both close is open. The tolerances
+are those of the validation.
 """
 
 import os
@@ -29,6 +30,12 @@ import resistances  # noqa: E402
 import wallFilms  # noqa: E402
 
 RADIUS, STEP = 4, 10
+
+
+#: The film goes by a corner of cells
+CORNER = ([0.651592972722763, 0.7887233511355132],
+          [0.8310868751185205, 0.5561426130101277, 0],
+          [-0.5561426130101277, 0.8310868751185205, 0], [0, 0, 1])
 
 
 def along_axis(place):
@@ -53,6 +60,8 @@ def main(folder):
             found = ratios("squeeze", gap, along_axis(place))[1]
             report.check(f"gap of {gap} h, place {place}",
                          abs(found - 1) < 0.1, found)
+    found = ratios("squeeze", 0.1, CORNER)[1]
+    report.check("film by a corner of cells", abs(found - 1) < 0.2, found)
     for place in (0.1, 0.35, 0.6, 0.85):
         found = ratios("roll", 0.2, along_axis(place))
         report.check(f"both discs that roll, place {place}",

@@ -51,9 +51,12 @@ TEST(films, openAtTheirEndsAsTheirSurfacesMove)
         const vector wind(1, 2, 0);
         const vectorField together(object.size(), wind);
         vectorField apart(object.size());
+        vectorField sliding(object.size());
         forAll(apart, i)
         {
-            apart[i] = object[i] == 0 ? vector(-normal) : normal;
+            const scalar sign = object[i] == 0 ? -1 : 1;
+            apart[i] = sign*normal;
+            sliding[i] = sign*vector(-normal.y(), normal.x(), 0);
         }
         label n = 0;
         for (const filmFace& film : discs.geometry().films().faces())
@@ -62,11 +65,12 @@ TEST(films, openAtTheirEndsAsTheirSurfacesMove)
             {
                 continue;
             }
-            const vector u(film.velocityThere(together));
+            const vector u(film.meanVelocity(together));
             EXPECT_NEAR(mag(u - wind), 0, 1e-12);
             for (const filmEnd& end : film.ends)
             {
                 EXPECT_NEAR(end.opening(together, u), 0, 1e-12);
+                EXPECT_NEAR(end.opening(sliding, vector::zero), 0, 5e-3);
                 const vector across
                 (
                     (film.sides[0].place.object == 0 ? 1 : -1)
