@@ -30,7 +30,7 @@ char Foam::fsi::movedFaces::kindOf(const label facei) const
 
 char Foam::fsi::movedFaces::kindBefore(const label facei) const
 {
-    if (kind_[facei] != far)
+    if (!wasFar(facei))
     {
         return kind_[facei];
     }
@@ -47,8 +47,7 @@ Foam::fsi::movedFaces::movedFaces
 )
 :
     geometry_(geometry),
-    faces_(faces),
-    kind_(geometry.grid().mesh().nFaces())
+    faces_(faces)
 {}
 
 
@@ -60,6 +59,8 @@ void Foam::fsi::movedFaces::begin
     const vectorField& walls
 )
 {
+    const bool any = geometry_.nearFaces().size();
+    kind_.setSize(any ? U.mesh().nFaces() : 0);
     kind_ = far;
     for (const label facei : geometry_.nearFaces())
     {
@@ -104,7 +105,7 @@ void Foam::fsi::movedFaces::end
         )
         {
             const scalar velocity =
-                kind_[facei] == far && facei < nInternal
+                wasFar(facei) && facei < nInternal
               ? faces_.mean(U, mesh.owner(), mesh.neighbour(), facei)
               : atFace(before_(), facei);
             atFace(history, facei) += jump(velocity, atFace(after_(), facei));

@@ -127,6 +127,10 @@ void Foam::fsi::filmFaces::agree()
 void Foam::fsi::filmFaces::dropWide()
 {
     const scalar limit = widest*grid_.spacing();
+    if (faces_.size() && place_.empty())
+    {
+        place_.setSize(grid_.mesh().nFaces(), -1);
+    }
     label n = 0;
     for (const filmFace& film : faces_)
     {
@@ -150,7 +154,6 @@ Foam::fsi::filmFaces::filmFaces
 :
     grid_(grid),
     wall_(wall),
-    place_(grid.mesh().nFaces(), -1),
     search_(grid)
 {}
 
