@@ -138,6 +138,7 @@ void Foam::fsi::cutFaces::placeWallFaces
     const labelList& haloIndex = grid_.haloIndex();
     const labelList& nearestFace = levelSet.nearestFace();
     const cartesianBlock corners(grid_.corners());
+    const Map<wallOrigin>& closed = open_.films().closed();
 
     wallOrigins_.setSize(wallFaces_.size());
     forAll(wallFaces_, i)
@@ -152,10 +153,10 @@ void Foam::fsi::cutFaces::placeWallFaces
         wallOrigin& origin = wallOrigins_[i];
         origin.cut = false;
         origin.middle = faceCentres[w.face];
-        const auto closed = open_.films().closed().find(w.face);
-        if (closed != open_.films().closed().end())
+        const auto found = closed.find(w.face);
+        if (found != closed.end())
         {
-            origin = *closed;
+            origin = *found;
         }
         else if (w.area < 1)
         {

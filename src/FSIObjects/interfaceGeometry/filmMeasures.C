@@ -3,6 +3,7 @@
 #include "filmMeasures.H"
 #include "cartesianMesh.H"
 #include "edgeCuts.H"
+#include "filmFaces.H"
 #include "openArea.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
@@ -246,7 +247,8 @@ void Foam::fsi::filmMeasures::setCut
         error += nCorners == 2 ? more : (more + 2*from(origin.middle, side))/3;
     }
     // At a corner of the face the surface keeps its place
-    film.closed[side] = max(covered(side, error), origin.cut ? 1e-6 : 0);
+    const scalar least = origin.cut ? filmFaces::smallestOpenness : scalar(0);
+    film.closed[side] = max(covered(side, error), least);
 }
 
 

@@ -44,25 +44,23 @@ static scalar nodeWeight
     return 1/product;
 }
 
-//- A vector of the length 1, or zero
-static vector unit(const vector& v)
-{
-    return v/max(mag(v), VSMALL);
-}
-
 } // End namespace fsi
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::fsi::curvedSurface::findAbout(const label facei, const label i)
+bool Foam::fsi::curvedSurface::findAbout
+(
+    const label facei,
+    const FixedList<scalar, 3>& weights
+)
 {
     near_.clear();
-    appendFacesAt(surfaces_, facei, nodeWeights(i), near_);
+    appendFacesAt(surfaces_, facei, weights, near_);
     const label nAll = near_.size();
     near_.clear();
-    appendFacesAt(surfaces_, facei, nodeWeights(i), near_, leastCosine);
+    appendFacesAt(surfaces_, facei, weights, near_, leastCosine);
     return near_.size() < nAll;
 }
 
@@ -85,14 +83,14 @@ Foam::label Foam::fsi::curvedSurface::add(const label facei)
     c.sharp = FixedList<bool, 3>(false);
     for (label i = 0; i < nNodes; ++i)
     {
-        c.sharp[i] = findAbout(facei, i);
+        c.sharp[i] = findAbout(facei, nodeWeights(i));
         vector sum(Zero);
         for (const label next : near_)
         {
             sum +=
                 nodeWeight(surfaces_, next, f[i])*surfaces_.areaNormal(next);
         }
-        c.normals[i] = unit(sum);
+        c.normals[i] = normalised(sum);
     }
     for (label i = 0; i < nNodes; ++i)
     {
@@ -103,8 +101,7 @@ Foam::label Foam::fsi::curvedSurface::add(const label facei)
             {
                 FixedList<scalar, 3> middle(scalar(0.5));
                 middle[third] = 0;
-                vector mean;
-                if (onEdge(facei, middle, mean))
+                if (findAbout(facei, middle))
                 {
                     continue;
                 }
@@ -132,7 +129,7 @@ const Foam::fsi::curvedSurface::curvedFace& Foam::fsi::curvedSurface::at
         {
             continue;
         }
-        findAbout(facei, i);
+        findAbout(facei, nodeWeights(i));
         const DynamicList<label> about(near_);
         scalar height = 0;
         scalar area = 0;
@@ -149,24 +146,20 @@ const Foam::fsi::curvedSurface::curvedFace& Foam::fsi::curvedSurface::at
 }
 
 
-bool Foam::fsi::curvedSurface::onEdge
+Foam::vector Foam::fsi::curvedSurface::meanNormal
 (
     const label facei,
-    const FixedList<scalar, 3>& weights,
-    vector& mean
+    const FixedList<scalar, 3>& weights
 )
 {
     near_.clear();
     appendFacesAt(surfaces_, facei, weights, near_);
-    mean = Zero;
+    vector sum(Zero);
     for (const label next : near_)
     {
-        mean += unit(surfaces_.areaNormal(next));
+        sum += normalised(surfaces_.areaNormal(next));
     }
-    const label nAll = near_.size();
-    near_.clear();
-    appendFacesAt(surfaces_, facei, weights, near_, leastCosine);
-    return near_.size() < nAll;
+    return normalised(sum);
 }
 
 
@@ -182,11 +175,12 @@ Foam::scalar Foam::fsi::curvedSurface::distance
 {
     const curvedFace& c = at(facei);
     const scalar away = mag(way);
-    if (isIn(c.sharp, true) && onEdge(facei, weights, normal))
+    if (isIn(c.sharp, true) && findAbout(facei, weights))
     {
+        normal = meanNormal(facei, weights);
         const scalar sign = (way & normal) < 0 ? -1 : 1;
         const bool touches = sqr(away) < SMALL*mag(surfaces_.areaNormal(facei));
-        normal = touches ? unit(normal) : sign*way/away;
+        normal = touches ? normal : sign*way/away;
         return sign*away;
     }
     normal = Zero;
@@ -200,7 +194,7 @@ Foam::scalar Foam::fsi::curvedSurface::distance
             height += weights[i]*weights[j]*c.bends[3 - i - j];
         }
     }
-    normal = unit(normal);
+    normal = normalised(normal);
     return ((way & normal) < 0 ? -away : away) - height;
 }
 
