@@ -43,11 +43,11 @@ def along_axis(place):
     return [place, 0.3 + place], [1, 0, 0], [0, 1, 0], [0, 0, 1]
 
 
-def ratios(motion, gap, place):
-    """Forces of both discs over the exact one."""
+def ratios(motion, gap, place, across=False):
+    """Forces of both discs over the exact one, or those across to it."""
     found, _ = resistances.forces(motion, gap, STEP, RADIUS, place)
     known = resistances.exact()[round(gap/RADIUS, 6)][motion + "Force"]
-    along = 0 if motion == "squeeze" else 1
+    along = 0 if (motion == "squeeze") != across else 1
     return [abs(body[along])/known for body in found]
 
 
@@ -66,6 +66,10 @@ def main(folder):
         found = ratios("roll", 0.2, along_axis(place))
         report.check(f"both discs that roll, place {place}",
                      max(abs(x - 1) for x in found) < 0.25, found)
+    # A surface goes by the corner of a face that it closes
+    found = ratios("roll", 0.2, ([0.828, 0.25], *along_axis(0)[1:]), True)
+    report.check("discs that roll are not pushed across", max(found) < 0.5,
+                 found)
     for row in wallFilms.rows(2, "slide", 0.1, STEP, RADIUS, [[0.1], [0.6]]):
         if "force on the wall" in row.what:
             report.check(row.what, abs(row.value) < 0.1, row.value)
