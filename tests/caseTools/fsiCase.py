@@ -7,6 +7,7 @@ CONTROLS; values go into the dictionaries as they are. A case is in three
 dimensions if it has three numbers of cells.
 """
 
+import itertools
 import math
 import os
 import re
@@ -14,6 +15,7 @@ import shutil
 import subprocess
 import time
 
+import results
 from boxFiles import DEFAULTS, BoxFiles
 
 # Entry of fsiProperties for the thesis's couplings, walls and level set
@@ -55,6 +57,41 @@ class Case(BoxFiles):
         self.controls.update(changes)
         self.file("system/controlDict",
                   "".join(f"{k} {v};\n" for k, v in self.controls.items()))
+
+    def text(self, name, text):
+        """Writes a file without a header."""
+        with open(os.path.join(self.path, name), "w",
+                  encoding="ascii") as stream:
+            stream.write(text)
+
+    def replace(self, name, old, new):
+        """Replaces a text that must be in a file."""
+        text = results.read(self.path, name)
+        if old not in text:
+            raise ValueError(f"{self.path}/{name} has no '{old}'")
+        self.text(name, text.replace(old, new))
+
+    def set_field(self, name, kind, cells):
+        """Writes the value of each cell, as text, as the start of a field."""
+        zero = "(0 0 0)" if kind == "vector" else "0"
+        self.replace(f"0/{name}", f"internalField uniform {zero};",
+                     f"internalField nonuniform List<{kind}>\n"
+                     f"{len(cells)}\n(\n" + "\n".join(cells) + "\n);")
+
+    def set_velocity(self, velocity):
+        """Starts from a velocity (u, v), in three dimensions (u, v, w), that is
+        a function of the place."""
+        h = self.spacing()
+        axes = [[x + (i + 0.5)*h for i in range(n)] for x, n in
+                zip(self.values["box"], self.values["cells"])]
+        self.set_field("U", "vector",
+                       ["({!r} {!r} {!r})".format(*velocity(*place[::-1]), 0)
+                        for place in itertools.product(*axes[::-1])])
+
+    def spacing(self):
+        """Length of a cell."""
+        box = self.values["box"]
+        return (box[self.dimensions()] - box[0])/self.values["cells"][0]
 
     def run(self, *command, ranks=1, limit=600):
         """Runs an application, log.NAME in the case; raises if it fails."""

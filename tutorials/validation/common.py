@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the validation cases share."""
 
-import itertools
 import math
 import os
 import re
@@ -48,36 +47,6 @@ class Case(fsiCase.Case):
                                     + self.entries)
         super().__init__(os.path.join(FOLDER, name), **parameters)
 
-    def text(self, name, text):
-        """Writes a file without a header."""
-        with open(os.path.join(self.path, name), "w",
-                  encoding="ascii") as stream:
-            stream.write(text)
-
-    def replace(self, name, old, new):
-        """Replaces a text that must be in a file."""
-        text = results.read(self.path, name)
-        if old not in text:
-            raise ValueError(f"{self.path}/{name} has no '{old}'")
-        self.text(name, text.replace(old, new))
-
-    def set_field(self, name, kind, cells):
-        """Writes the value of each cell, as text, as the start of a field."""
-        zero = "(0 0 0)" if kind == "vector" else "0"
-        self.replace(f"0/{name}", f"internalField uniform {zero};",
-                     f"internalField nonuniform List<{kind}>\n"
-                     f"{len(cells)}\n(\n" + "\n".join(cells) + "\n);")
-
-    def set_velocity(self, velocity):
-        """Starts from a velocity (u, v), in three dimensions (u, v, w), that is
-        a function of the place."""
-        h = self.spacing()
-        axes = [[x + (i + 0.5)*h for i in range(n)] for x, n in
-                zip(self.values["box"], self.values["cells"])]
-        self.set_field("U", "vector",
-                       ["({!r} {!r} {!r})".format(*velocity(*place[::-1]), 0)
-                        for place in itertools.product(*axes[::-1])])
-
     def start_from(self, coarse):
         """Takes U and p of the last time of a case with half the cells."""
         time = results.times(coarse.path)[-1]
@@ -116,11 +85,6 @@ class Case(fsiCase.Case):
         """Largest change of the volume of a body, relative."""
         return max(row["areaChange"]
                    for row in results.table(self.path, "global.csv"))
-
-    def spacing(self):
-        """Length of a cell."""
-        box = self.values["box"]
-        return (box[self.dimensions()] - box[0])/self.values["cells"][0]
 
     def state_of(self, shape):
         """The file with the state of the objects of a shape at the start, its

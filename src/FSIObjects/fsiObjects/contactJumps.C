@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "contactJumps.H"
+#include "objectContact.H"
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
@@ -83,6 +84,36 @@ Foam::vectorField Foam::fsi::standstill
     vectorField nodal(bodies.layout().nSurface(), Zero);
     bodies.layout().toSurface(ofGroups, nodal);
     return nodal;
+}
+
+
+void Foam::fsi::keepApart
+(
+    population& bodies,
+    objectContact& contact,
+    const stepLength& step
+)
+{
+    nodeVelocities expected(bodies.layout());
+    forAll(bodies.groups(), groupi)
+    {
+        bodyGroup& group = bodies.groups()[groupi];
+        group.prepareResponse(step.tau);
+        expected.change()[groupi] = group.velocities();
+    }
+    contact.take();
+    contact.limit(expected, step);
+    if (contact.nLimited() == 0)
+    {
+        return;
+    }
+    forAll(bodies.groups(), groupi)
+    {
+        bodyGroup& group = bodies.groups()[groupi];
+        Eigen::MatrixXd& v = expected.change()[groupi];
+        group.constrain(step.tau, v);
+        group.expect(step.tau, v);
+    }
 }
 
 

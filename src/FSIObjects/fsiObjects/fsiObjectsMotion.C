@@ -73,6 +73,7 @@ void Foam::fsi::fsiObjects::expect(const timeRule& rule)
     {
         group.begin(mesh_.time().value(), deltaT(), rule.ratio());
     }
+    keepApart(bodies_, contact_, rule.length());
     updateSurfaces();
 }
 

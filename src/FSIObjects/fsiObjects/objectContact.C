@@ -139,23 +139,6 @@ void Foam::fsi::objectContact::keepRanges()
 }
 
 
-void Foam::fsi::objectContact::setBodies()
-{
-    setNodes();
-    const List<labelList> objects(objectsOfGroups(bodies_.size()));
-    forAll(groups_, groupi)
-    {
-        groups_[groupi]->setResponse
-        (
-            surfaces(),
-            objects[groupi],
-            contact_.needsInternalForces(),
-            nodes_
-        );
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::objectContact::objectContact
@@ -189,15 +172,33 @@ Foam::fsi::objectContact::objectContact
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+void Foam::fsi::objectContact::take()
+{
+    setNodes();
+    const List<labelList> objects(objectsOfGroups(bodies_.size()));
+    forAll(groups_, groupi)
+    {
+        groups_[groupi]->setResponse
+        (
+            surfaces(),
+            objects[groupi],
+            contact_.needsInternalForces(),
+            nodes_
+        );
+    }
+    setRanges();
+    prepareSearch();
+    force_.setSize(surfaces().points().size(), vector(Zero));
+}
+
+
 void Foam::fsi::objectContact::calculate
 (
     const vectorField& velocities,
     const stepLength& step
 )
 {
-    setBodies();
-    setRanges();
-    prepareSearch();
+    take();
     const vectorField start(lessStandstill(surfaces().velocities(), step));
     contactStep times(step.tau, step.dt, &start);
     if (inFluid_)

@@ -20,12 +20,6 @@ Foam::tmp<Foam::vectorField> Foam::fsi::objectContact::lessStandstill
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fsi::objectContact::keepStart()
-{
-    start_.reset(new surfaceSet(bodies_.surfaces()));
-}
-
-
 void Foam::fsi::objectContact::push
 (
     nodeVelocities& v,

@@ -8,12 +8,14 @@ Foam::fsi::bodiesTerm::bodiesTerm
 (
     const population& bodies,
     const wallOperator& walls,
-    const scalar density
+    const scalar density,
+    const bool films
 )
 :
     bodies_(bodies),
     walls_(walls),
-    density_(density)
+    density_(density),
+    films_(films)
 {}
 
 
@@ -25,7 +27,7 @@ void Foam::fsi::bodiesTerm::velocity
     vectorField& v
 ) const
 {
-    walls_.transposeAtWalls(p, nodal_);
+    walls_.transposeAtWalls(p, nodal_, films_);
     nodal_ *= density_;
     bodies_.layout().toBoundary(nodal_, force_);
 
@@ -48,7 +50,7 @@ void Foam::fsi::bodiesTerm::add
     // J' is +1 outward of the lower cell, and p pushes the nodes outward of
     // the fluid with the same sign: the term is positive semi-definite
     velocity(x, nodal_);
-    walls_.addFluxAtWalls(nodal_, Ax);
+    walls_.addFluxAtWalls(nodal_, Ax, films_);
 }
 
 

@@ -44,6 +44,7 @@ Foam::fsi::pressurePasses::pressurePasses
     leastError_(0),
     firstSpeed_(0),
     change_(GREAT),
+    held_(false),
     refused_(false),
     nRefused_(0),
     acceleration_(most_)
@@ -67,11 +68,13 @@ void Foam::fsi::pressurePasses::measure
     const FixedList<scalar, 2>& ofRank,
     const scalar atRest,
     const nodeLayout::groupNodal& velocity,
-    const scalar fluid
+    const scalar fluid,
+    const bool held
 )
 {
-    scalarList squares(ofRank);
+    scalarList squares({ofRank[0], ofRank[1], scalar(held)});
     sumOverRanks(squares);
+    held_ = squares[2] > 0;
     error_ = sqrt(squares[0]/max(squares[1], atRest));
     ++done_;
     const scalar nodes =

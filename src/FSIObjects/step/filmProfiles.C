@@ -60,6 +60,33 @@ void Foam::fsi::filmProfiles::addForce
 }
 
 
+Foam::FixedList<Foam::scalar, 2> Foam::fsi::filmProfiles::opened
+(
+    const filmFace& film,
+    const vectorField& velocity
+)
+{
+    const vector u(film.meanVelocity(velocity));
+    FixedList<scalar, 2> s;
+    forAll(s, k)
+    {
+        s[k] = film.perOpening*film.ends[k].opening(velocity, u);
+    }
+    return s;
+}
+
+
+Foam::scalar Foam::fsi::filmProfiles::pushed
+(
+    const filmFace& film,
+    const FixedList<scalar, 2>& s
+)
+{
+    const FixedList<scalar, 6>& m = film.profile;
+    return -(m[1]*s[0] + m[2]*s[1])/m[0];
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::filmProfiles::filmProfiles
@@ -97,7 +124,7 @@ void Foam::fsi::filmProfiles::next
 }
 
 
-void Foam::fsi::filmProfiles::update
+void Foam::fsi::filmProfiles::setForce
 (
     const volScalarField& p,
     const scalar tau
@@ -105,26 +132,17 @@ void Foam::fsi::filmProfiles::update
 {
     const cartesianMesh& grid = geometry_.grid();
     const label nInternal = p.mesh().nInternalFaces();
-    const UList<filmFace>& films = geometry_.films().faces();
     List<scalarField> ofPatches(p.boundaryField().size());
-    scalarList pushed(films.size(), Zero);
     force_.setSize(velocity_.size());
     force_ = Zero;
-    forAll(films, filmi)
+    for (const filmFace& film : geometry_.films().faces())
     {
-        const filmFace& film = films[filmi];
         if (film.perOpening <= 0)
         {
             continue;
         }
         const FixedList<scalar, 6>& m = film.profile;
-        const vector u(film.meanVelocity(velocity_));
-        FixedList<scalar, 2> s;
-        forAll(s, k)
-        {
-            s[k] = film.perOpening*film.ends[k].opening(velocity_, u);
-        }
-        pushed[filmi] = -(m[1]*s[0] + m[2]*s[1])/m[0];
+        const FixedList<scalar, 2> s(opened(film, velocity_));
 
         const scalar friction =
             12*fluid_.viscosity*film.viscosity/sqr(film.gap);
@@ -133,7 +151,7 @@ void Foam::fsi::filmProfiles::update
         const scalar beside =
             (1 - kept)
            *(
-                pushed[filmi]
+                pushed(film, s)
               - rise(film, p, ofPatches)/(grid.spacing()*friction*m[0])
             );
         // Both sides of a coupled patch have half of it each
@@ -151,7 +169,27 @@ void Foam::fsi::filmProfiles::update
             })
         );
     }
-    geometry_.setPushed(pushed);
+}
+
+
+void Foam::fsi::filmProfiles::push
+(
+    const vectorField& velocity,
+    const scalar tau
+)
+{
+    const vectorField& v = answered(tau) > 0 ? velocity : velocity_;
+    const UList<filmFace>& films = geometry_.films().faces();
+    scalarList velocities(films.size(), Zero);
+    forAll(films, filmi)
+    {
+        const filmFace& film = films[filmi];
+        if (film.perOpening > 0)
+        {
+            velocities[filmi] = pushed(film, opened(film, v));
+        }
+    }
+    geometry_.setPushed(velocities);
 }
 
 

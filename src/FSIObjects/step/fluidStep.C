@@ -139,11 +139,12 @@ void Foam::fsi::fluidStep::setGivenFlux(const vectorField& wallVelocity)
 
 Foam::fsi::fluidStep::groupNodal Foam::fsi::fluidStep::pressureForce
 (
-    const scalarField& p
+    const scalarField& p,
+    const bool films
 ) const
 {
     vectorField nodal;
-    walls_.transposeAtWalls(p, nodal);
+    walls_.transposeAtWalls(p, nodal, films);
     return inGroups(nodal);
 }
 

@@ -36,7 +36,7 @@ Foam::fsi::immersedStep::immersedStep
         objects.bodies(), geometry_, objects.fluid(), pressure_.multigrid(),
         objects.log()
     ),
-    term_(objects.bodies(), walls_, objects.fluid().density),
+    term_(objects.bodies(), walls_, objects.fluid().density, true),
     sudden_(objects, geometry_, walls_),
     passes_(dict, objects.bodies().onlyMembranes()),
     profiles_(geometry_, objects.fluid()),
@@ -89,6 +89,7 @@ void Foam::fsi::immersedStep::advance(const flowSources& sources)
         solveMomentum(convectiveFlux(), change, sources);
         objects_.constrain(velocity_, step());
         objects_.push(velocity_, step());
+        profiles_.push(velocity_.surface(), step().tau);
 
         // The pressure that makes the flow free of divergence, to which
         // objects give way
@@ -146,6 +147,7 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
     );
     passes_.begin();
     profiles_.begin(objects_.bodies().surfaces().velocities());
+    walls_.setFilms(profiles_.answered(step().tau), objects_.fluid().viscosity);
     volScalarField& last = oldPressure_();
     sudden_.answer(last, pressure_, step());
     fillFilmCells(geometry_, last);
@@ -186,6 +188,12 @@ void Foam::fsi::immersedStep::settle()
     momentum_.cut().addLoss
     (
         objects_.levelSet(), objects_.surfaces(), U_, velocity_.surface(), loss
+    );
+    // Films have already given them this of the new gradient
+    walls_.inFilms().addForce
+    (
+        walls_.atWalls(oldPressure_().primitiveField() - p_.primitiveField()),
+        loss.mine()
     );
     vectorField& force = loss.collectWalls(objects_.bodies().ranks());
     force *= objects_.fluid().density;

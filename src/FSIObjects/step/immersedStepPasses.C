@@ -18,7 +18,7 @@ void Foam::fsi::immersedStep::solveMomentum
     tmp<fvVectorMatrix> UEqn(momentum(convectiveFlux, gradient_(), sources));
     geometry_.setWallVelocities(U_);
     membranes_.addTo(UEqn.ref());
-    profiles_.update(oldPressure_(), step().tau);
+    profiles_.setForce(oldPressure_(), step().tau);
     viscous_.solve
     (
         UEqn.ref(), U_, step(), change, predicted_, profiles_.force(),
@@ -38,12 +38,12 @@ void Foam::fsi::immersedStep::solvePressure()
     const scalar nu = objects_.fluid().viscosity;
     tmp<fvScalarMatrix> pEqn(openLaplacian(geometry_, p_, step().tau, nu));
 
-    // Walls' flux without the pressure
+    // Flux of walls and films without the pressure
     const scalarField last(walls_.atWalls(oldPressure_().primitiveField()));
-    vectorField oldPart;
-    term_.velocity(last, oldPart);
+    vectorField before;
+    term_.velocity(last, before);
     scalarField source(p_.size());
-    walls_.flux(velocity_.surface() - oldPart, source);
+    walls_.flux(velocity_.surface(), source, &before);
     walls_.addGivenFlux(source);
     source.negate();
     subtractOutflow(phi_, source);
@@ -65,15 +65,17 @@ void Foam::fsi::immersedStep::solvePressure()
     pEqn.clear();
 
     subtractGradient(geometry_, p_, step().tau, nu, phi_);
-    momentum_.cut().end(phi_);
 
-    // Velocities of all nodes with the increment of the pressure
+    // All nodes move with the increment of the pressure, and films with them
+    before = velocity_.surface();
     addResponse
     (
         objects_.bodies(),
-        pressureForce(walls_.atWalls(p_) - last),
+        pressureForce(walls_.atWalls(p_) - last, true),
         velocity_.change()
     );
+    walls_.inFilms().addFaceFlux(velocity_.surface() - before, phi_);
+    momentum_.cut().end(phi_);
 }
 
 
@@ -117,7 +119,8 @@ void Foam::fsi::immersedStep::correctVelocity(const flowSources& sources)
         viscous_.addResponse(source, guess, alone, U_),
         U_.mesh().globalData().nTotalCells()*sqr(objects_.restSpeed()),
         velocity_.groups(),
-        largestSpeed(U_, inFluid)
+        largestSpeed(U_, inFluid),
+        objects_.contact().acts()
     );
     sources.correct(U_);
 }

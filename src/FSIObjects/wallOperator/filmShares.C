@@ -4,21 +4,6 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::FixedList<Foam::label, 2> Foam::fsi::filmShares::cellsBeside
-(
-    const filmFace& film
-) const
-{
-    const fvMesh& mesh = geometry_.grid().mesh();
-    const bool internal = film.face < mesh.nInternalFaces();
-    return FixedList<label, 2>
-    ({
-        mesh.faceOwner()[film.face],
-        internal ? mesh.faceNeighbour()[film.face] : -1
-    });
-}
-
-
 void Foam::fsi::filmShares::setCells()
 {
     const boolList& fluid = geometry_.fluidCell();
@@ -26,7 +11,7 @@ void Foam::fsi::filmShares::setCells()
     links_.clear();
     for (const filmFace& film : geometry_.films().faces())
     {
-        for (const label celli : cellsBeside(film))
+        for (const label celli : geometry_.grid().cellsBeside(film.face))
         {
             if (celli >= 0 && fluid[celli])
             {
@@ -124,7 +109,7 @@ void Foam::fsi::filmShares::update()
     shares_.clear();
     for (const filmFace& film : geometry_.films().faces())
     {
-        for (const label celli : cellsBeside(film))
+        for (const label celli : geometry_.grid().cellsBeside(film.face))
         {
             if (celli >= 0)
             {

@@ -16,45 +16,17 @@ Foam::fsi::wallOperator::wallOperator
     ranks_(ranks),
     nNodes_(0),
     nObjects_(0),
-    films_(geometry)
+    films_(geometry),
+    filmFluxes_(geometry)
 {}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::fsi::wallOperator::setCells()
-{
-    place_.setSize(geometry_.grid().mesh().nCells(), -1);
-    for (const label celli : cells_)
-    {
-        place_[celli] = -1;
-    }
-    for (const wallFace& w : geometry_.wallFaces())
-    {
-        for (const label celli : {w.lower, w.upper})
-        {
-            if (celli >= 0)
-            {
-                place_[celli] = 0;
-            }
-        }
-    }
-    cells_.clear();
-    forAll(place_, celli)
-    {
-        if (place_[celli] >= 0)
-        {
-            place_[celli] = cells_.size();
-            cells_.append(celli);
-        }
-    }
-}
-
-
 void Foam::fsi::wallOperator::setEntries()
 {
     entries_.clear();
-    setCells();
+    atWalls_.update(geometry_);
     perArea_.setSize(nObjects_);
     perArea_ = Zero;
     for (const cellWall& w : geometry_.surfaceParts())
@@ -67,7 +39,7 @@ void Foam::fsi::wallOperator::setEntries()
             {
                 entries_.append
                 ({
-                    place_[w.cell],
+                    atWalls_.places()[w.cell],
                     w.place.object,
                     a,
                     b,
@@ -98,7 +70,7 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
     setEntries();
     films_.update();
     cuts_.update(geometry_, surfaces);
-    transposeSums(scalarField(cells_.size(), 1), uniformForce_);
+    transposeSums(scalarField(atWalls_.size(), 1), uniformForce_, false);
     givenFlux_.setSize(nObjects_);
     givenFlux_ = Zero;
 }
@@ -154,14 +126,14 @@ void Foam::fsi::wallOperator::gradientForce
     const scalar h = geometry_.grid().spacing();
 
     // Closed area around each cell with its centre inside an object
-    scalarField closed(cells_.size(), Zero);
+    scalarField closed(atWalls_.size(), Zero);
     for (const wallFace& w : faces)
     {
         for (const label celli : {w.lower, w.upper})
         {
             if (celli >= 0 && !fluid[celli])
             {
-                closed[place_[celli]] += w.area;
+                closed[place(celli)] += w.area;
             }
         }
     }
@@ -186,7 +158,7 @@ void Foam::fsi::wallOperator::gradientForce
             w.place.spread(mine, w.dir, 0.5*h*w.area*g[celli][w.dir]);
             if (!fluid[celli])
             {
-                const scalar share = w.area/closed[place_[celli]];
+                const scalar share = w.area/closed[place(celli)];
                 const vector rest(films_.rest(celli, g[celli]));
                 w.place.spread(mine, -share*V[celli]*rest);
             }

@@ -7,7 +7,8 @@
 void Foam::fsi::wallOperator::transposeSums
 (
     const scalarField& p,
-    vectorField& force
+    vectorField& force,
+    const bool films
 ) const
 {
     force.setSize(nNodes_);
@@ -21,6 +22,10 @@ void Foam::fsi::wallOperator::transposeSums
         meanPressure_[w.object] += w.share*p[w.cell];
     }
     meanPressure_ *= perArea_;
+    if (films)
+    {
+        filmFluxes_.addForce(p, force);
+    }
 
     ranks_.collect
     ({
@@ -52,7 +57,8 @@ void Foam::fsi::wallOperator::addFluxLess
 void Foam::fsi::wallOperator::addFluxAtWalls
 (
     const vectorField& v,
-    scalarField& Jv
+    scalarField& Jv,
+    const bool films
 ) const
 {
     // Net flux 1.J v of each object
@@ -69,6 +75,10 @@ void Foam::fsi::wallOperator::addFluxAtWalls
     if (ranks_.shared())
     {
         addFluxLess(net, v, Jv);
+        if (films)
+        {
+            filmFluxes_.addFlux(v, Jv);
+        }
         return;
     }
     heldVelocity_ = v;
@@ -78,21 +88,32 @@ void Foam::fsi::wallOperator::addFluxAtWalls
         objectRanks::values::ofObjects(net)
     });
     addFluxLess(net, heldVelocity_, Jv);
+    if (films)
+    {
+        filmFluxes_.addFlux(heldVelocity_, Jv);
+    }
 }
 
 
 void Foam::fsi::wallOperator::flux
 (
     const vectorField& v,
-    scalarField& Jv
+    scalarField& Jv,
+    const vectorField* given
 ) const
 {
-    scalarField atWalls(cells_.size(), Zero);
-    addFluxAtWalls(v, atWalls);
-    Jv = Zero;
-    forAll(cells_, i)
+    scalarField ofWalls(atWalls_.size(), Zero);
+    if (given)
     {
-        Jv[cells_[i]] = atWalls[i];
+        addFluxAtWalls(*given, ofWalls, true);
+        ofWalls.negate();
+    }
+    addFluxAtWalls(v, ofWalls);
+    const labelUList& cells = atWalls_.cells();
+    Jv = Zero;
+    forAll(cells, i)
+    {
+        Jv[cells[i]] = ofWalls[i];
     }
 }
 
@@ -102,7 +123,7 @@ void Foam::fsi::wallOperator::addGivenFlux(scalarField& Jv) const
     const scalarField perArea(givenFlux_*perArea_);
     for (const entry& w : entries_)
     {
-        Jv[cells_[w.cell]] += w.share*perArea[w.object];
+        Jv[atWalls_.cells()[w.cell]] += w.share*perArea[w.object];
     }
 }
 
@@ -130,10 +151,11 @@ void Foam::fsi::wallOperator::transpose
 void Foam::fsi::wallOperator::transposeAtWalls
 (
     const scalarField& p,
-    vectorField& f
+    vectorField& f,
+    const bool films
 ) const
 {
-    transposeSums(p, f);
+    transposeSums(p, f, films);
 
     // Less the object's mean pressure times J^T 1
     forAll(f, nodei)

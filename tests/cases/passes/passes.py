@@ -12,6 +12,10 @@ should, and say so in the log.
 A force that sets the fluid around a fixed disc off within one step, to many
 cells per step: all passes of the step find the same flow.
 
+Films couple bodies that roll on each other: discs at 45 % in a shear flow have
+the viscosity of small steps with steps of four h^2/nu, too. So have steps of
+second order, which begin where bodies are expected, if those do not overlap.
+
 A free disc that a flow presses against a fixed one resists the flow as if it
 were fixed, too: contact holds it against the friction of the fluid. So it does
 with an entered stiffness that is far too small to hold it.
@@ -139,6 +143,38 @@ def check_contact(report, folder):
                          f"mean velocity {free}, not {fixed}")
 
 
+def dense(folder, name, step, coupling="", scheme="Euler"):
+    """Viscosity of discs at 45 %, of radius 1 and 4 cells, between walls."""
+    half, viscosity, end = 6, 10, 0.2
+    case = fsiCase.Case(
+        os.path.join(folder, name), box=(-half, -half, half, half),
+        cells=(8*half, 8*half), cyclic="x", viscosity=viscosity,
+        walls={"top": f"({half} 0 0)", "bottom": f"({-half} 0 0)"},
+        shapes="disc { shape { type circle; radius 1; } "
+               "material { type rigid; density 1; } }",
+        placements="a { type packed; shape disc; areaFraction 0.45; "
+                   "minimumGap 0.03; wallGap 0.03; }",
+        properties="output { rheology yes; } contact { range 1; } "
+                   f"coupling {{ type solidImplicit; {coupling} }}",
+        time_scheme=scheme, deltaT=step/(16*viscosity), endTime=end,
+        writeControl="adjustableRunTime", writeInterval=end)
+    case.set_velocity(lambda x, y, z=0: (y, 0))
+    case.set_up().run("fsiPisoFoam")
+    values = [row["viscosity"] for row in
+              results.table(case.path, "rheology.csv") if row["time"] > end/2]
+    return sum(values)/len(values)
+
+
+def check_dense(report, folder):
+    """Against a step of a quarter of h^2/nu."""
+    small = dense(folder, "denseSmall", 0.25)
+    for scheme in ("Euler", "backward"):
+        for step in (4, 1):
+            large = dense(folder, f"dense{scheme}{step}", step, "", scheme)
+            report.check(f"dense discs, {scheme}, step {step}",
+                         abs(large/small - 1) < 0.01, f"{large}, not {small}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -146,6 +182,7 @@ def main(folder):
     report.attempt("end of the passes", check_end, report, folder)
     report.attempt("sudden flow", check_sudden, report, folder)
     report.attempt("contact", check_contact, report, folder)
+    report.attempt("dense", check_dense, report, folder)
 
 
 if __name__ == "__main__":

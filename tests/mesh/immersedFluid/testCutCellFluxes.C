@@ -88,6 +88,18 @@ vector shear(const vector& r)
 }
 
 
+//- Cells with a wall of the body
+boolList cellsWithWalls(const surfacesInBox& body)
+{
+    boolList result(body.mesh().nCells(), false);
+    for (const cellWall& w : body.geometry().surfaceParts())
+    {
+        result[w.cell] = true;
+    }
+    return result;
+}
+
+
 //- Largest sum of fluxes of a cell of the body's surroundings over the velocity
 //  gradient, which is about 1
 scalar largestSource
@@ -129,6 +141,7 @@ scalar largestSource
     walls.update(body.surfaces());
     scalarField source(walls.cells().size(), Zero);
     walls.addGrossFluxAtWalls(v, source);
+    const boolList besideBody(cellsWithWalls(body));
     scalar largest = 0;
     forAll(source, i)
     {
@@ -150,7 +163,10 @@ scalar largestSource
                    *open*body.grid().faceArea();
             }
         }
-        largest = max(largest, mag(source[i])/body.grid().faceArea());
+        if (besideBody[celli])
+        {
+            largest = max(largest, mag(source[i])/body.grid().faceArea());
+        }
     }
     return returnReduce(largest, maxOp<scalar>());
 }
