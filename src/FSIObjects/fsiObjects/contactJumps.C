@@ -87,36 +87,6 @@ Foam::vectorField Foam::fsi::standstill
 }
 
 
-void Foam::fsi::keepApart
-(
-    population& bodies,
-    objectContact& contact,
-    const stepLength& step
-)
-{
-    nodeVelocities expected(bodies.layout());
-    forAll(bodies.groups(), groupi)
-    {
-        bodyGroup& group = bodies.groups()[groupi];
-        group.prepareResponse(step.tau);
-        expected.change()[groupi] = group.velocities();
-    }
-    contact.take();
-    contact.limit(expected, step);
-    if (contact.nLimited() == 0)
-    {
-        return;
-    }
-    forAll(bodies.groups(), groupi)
-    {
-        bodyGroup& group = bodies.groups()[groupi];
-        Eigen::MatrixXd& v = expected.change()[groupi];
-        group.constrain(step.tau, v);
-        group.expect(step.tau, v);
-    }
-}
-
-
 void Foam::fsi::jumpBy
 (
     const vectorField& force,

@@ -73,7 +73,6 @@ void Foam::fsi::fsiObjects::expect(const timeRule& rule)
     {
         group.begin(mesh_.time().value(), deltaT(), rule.ratio());
     }
-    keepApart(bodies_, contact_, rule.length());
     updateSurfaces();
 }
 

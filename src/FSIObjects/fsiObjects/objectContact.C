@@ -139,6 +139,26 @@ void Foam::fsi::objectContact::keepRanges()
 }
 
 
+void Foam::fsi::objectContact::take()
+{
+    setNodes();
+    const List<labelList> objects(objectsOfGroups(bodies_.size()));
+    forAll(groups_, groupi)
+    {
+        groups_[groupi]->setResponse
+        (
+            surfaces(),
+            objects[groupi],
+            contact_.needsInternalForces(),
+            nodes_
+        );
+    }
+    setRanges();
+    prepareSearch();
+    force_.setSize(surfaces().points().size(), vector(Zero));
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::objectContact::objectContact
@@ -171,26 +191,6 @@ Foam::fsi::objectContact::objectContact
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fsi::objectContact::take()
-{
-    setNodes();
-    const List<labelList> objects(objectsOfGroups(bodies_.size()));
-    forAll(groups_, groupi)
-    {
-        groups_[groupi]->setResponse
-        (
-            surfaces(),
-            objects[groupi],
-            contact_.needsInternalForces(),
-            nodes_
-        );
-    }
-    setRanges();
-    prepareSearch();
-    force_.setSize(surfaces().points().size(), vector(Zero));
-}
-
 
 void Foam::fsi::objectContact::calculate
 (

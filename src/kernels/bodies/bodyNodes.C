@@ -146,8 +146,7 @@ void Foam::fsi::bodyNodes::begin
     start_ = positions_ + step.share()*dt0*lastMean_;
     startVelocities_ =
         velocities_ + step.share()*(velocities_ - lastVelocities_);
-    velocities_ += ratio*(oldVelocities_ - lastVelocities_);
-    positions_ = start_ + step.length(dt)*velocities_;
+    positions_ += dt*velocities_;
 }
 
 

@@ -160,6 +160,28 @@ def check_backward(report, folder):
                      energy < 1.001, f"{energy}")
 
 
+def check_stopped(report, folder):
+    """With backward a film stops two discs in one step: the change of the
+    velocity is no sign for the step after it."""
+    h, radius, gap = 1/32, 4/32, 0.12/32
+    x = radius + gap/2
+    for courant in (0.1, 0.5):
+        case = fsiCase.Case(
+            os.path.join(folder, f"stopped{courant}"), viscosity=1,
+            box=(-0.5, -0.5, 0.5, 0.5), cyclic="xy", time_scheme="backward",
+            shapes=f"d {{ shape {{ type circle; radius {radius}; }} "
+                   "material { type rigid; density 1; } }",
+            placements="a { type listed; shape d; objects "
+                       f"({{ centre ({x} 0.003 0); velocity (-1 0 0); }} "
+                       f"{{ centre ({-x} -0.003 0); velocity (1 0 0); }}); }}",
+            deltaT=courant*h, endTime=20*courant*h, writeInterval=1).set_up()
+        case.run("fsiPisoFoam")
+        most = [max(abs(u) for u in results.field(case.path, t, "U"))
+                for t in results.times(case.path)[1:]]
+        report.check(f"backward, a film stops discs, Courant number {courant}",
+                     max(most) < 1.01 and most[-1] < 0.01, f"{most}")
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -167,6 +189,7 @@ def main(folder):
     report.attempt("mixed", check_mixed, report, folder)
     report.attempt("gas", check_gas, report, folder)
     report.attempt("backward", check_backward, report, folder)
+    report.attempt("stopped", check_stopped, report, folder)
 
 
 if __name__ == "__main__":
