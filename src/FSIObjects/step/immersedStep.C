@@ -154,17 +154,17 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
     setGradient();
 
     population& bodies = objects_.bodies();
-    groupNodal load(pressureForce(walls_.atWalls(last.primitiveField())));
-    addNetForce(bodies, gradientForce_ + balance_.payment(), load);
-    groupNodal rest(load.size());
-    forAll(rest, groupi)
+    groupNodal rest;
+    if (!bodies.onlyMembranes())
     {
-        rest[groupi] = bodies.groups()[groupi].splitLoad(load[groupi]);
-        load[groupi] += force[groupi];
+        groupNodal load(pressureForce(walls_.atWalls(last.primitiveField())));
+        addNetForce(bodies, gradientForce_ + balance_.payment(), load);
+        rest = splitLoads(bodies, load);
+        nodeLayout::add(load, force);
     }
     predictObjects
     (
-        bodies, p_.time().value() - step().dt, step(), load, predicted_
+        bodies, p_.time().value() - step().dt, step(), force, predicted_
     );
     addResponse(bodies, rest, predicted_);
     objects_.contact().carry().begin(bodies, predicted_);
@@ -211,18 +211,19 @@ void Foam::fsi::immersedStep::finish()
     objects_.limit(velocity_, step());
     objects_.constrain(velocity_, step());
 
+    population& bodies = objects_.bodies();
+    if (bodies.onlyMembranes())
+    {
+        return;
+    }
     vectorField nodal;
     walls_.transpose(p_.primitiveField(), nodal);
     nodal = linkForce_ + objects_.fluid().density*nodal;
     hydrodynamicForce_ = nodal + gradientForce_;
-    population& bodies = objects_.bodies();
     groupNodal load;
     bodies.layout().toGroups(nodal, load);
     addNetForce(bodies, gradientForce_ + balance_.payment(), load);
-    forAll(load, groupi)
-    {
-        bodies.groups()[groupi].keepLoad(load[groupi]);
-    }
+    keepLoads(bodies, load);
 }
 
 

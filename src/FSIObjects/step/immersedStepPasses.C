@@ -67,14 +67,13 @@ void Foam::fsi::immersedStep::solvePressure()
     subtractGradient(geometry_, p_, step().tau, nu, phi_);
 
     // All nodes move with the increment of the pressure, and films with them
-    before = velocity_.surface();
-    addResponse
-    (
-        objects_.bodies(),
-        pressureForce(walls_.atWalls(p_) - last, true),
-        velocity_.change()
-    );
-    walls_.inFilms().addFaceFlux(velocity_.surface() - before, phi_);
+    if (!objects_.bodies().onlyMembranes())
+    {
+        before = velocity_.surface();
+        const groupNodal load(pressureForce(walls_.atWalls(p_) - last, true));
+        addResponse(objects_.bodies(), load, velocity_.change());
+        walls_.inFilms().addFaceFlux(velocity_.surface() - before, phi_);
+    }
     momentum_.cut().end(phi_);
 }
 

@@ -29,6 +29,34 @@ void Foam::fsi::predictObjects
 }
 
 
+Foam::List<Eigen::MatrixXd> Foam::fsi::splitLoads
+(
+    population& bodies,
+    List<Eigen::MatrixXd>& load
+)
+{
+    List<Eigen::MatrixXd> rest(load.size());
+    forAll(rest, groupi)
+    {
+        rest[groupi] = bodies.groups()[groupi].splitLoad(load[groupi]);
+    }
+    return rest;
+}
+
+
+void Foam::fsi::keepLoads
+(
+    population& bodies,
+    const List<Eigen::MatrixXd>& load
+)
+{
+    forAll(load, groupi)
+    {
+        bodies.groups()[groupi].keepLoad(load[groupi]);
+    }
+}
+
+
 void Foam::fsi::addNetForce
 (
     const population& bodies,
@@ -43,7 +71,10 @@ void Foam::fsi::addNetForce
         const bodyGroup& group = bodies.groups()[groupi];
         const auto add =
             group.hasFreeWaves() ? addSurfaceForce : addRigidForce;
-        add(group, boundary[groupi], force[groupi]);
+        if (group.hasWalls())
+        {
+            add(group, boundary[groupi], force[groupi]);
+        }
     }
 }
 
@@ -77,10 +108,11 @@ void Foam::fsi::addResponse
 {
     forAll(force, groupi)
     {
-        if (force[groupi].size())
+        const bodyGroup& group = bodies.groups()[groupi];
+        if (force[groupi].size() && group.hasWalls())
         {
             Eigen::MatrixXd v;
-            bodies.groups()[groupi].response().respond(force[groupi], v);
+            group.response().respond(force[groupi], v);
             velocity[groupi] += v;
         }
     }

@@ -49,7 +49,7 @@ inline Foam::label Foam::fsi::membraneGaps::binAt
     const direction d
 ) const
 {
-    const label i = label((x - box_.min()[d])/size_);
+    const label i = label((x - box_.min()[d])*perSize_);
     return min(max(i, label(0)), nBins_[d] - 1);
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "membraneSlip.H"
-#include "membraneLanes.H"
-
-#include <Eigen/Geometry>
+#include "vectorField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -13,19 +11,46 @@ namespace fsi
 {
 
 //- Area times normal of a triangle, or of a segment of some depth
-template<class Positions>
-static Eigen::Vector3d areaVector
+static vector areaVector
 (
-    const Positions& x,
+    const UList<vector>& x,
     const surfaceFace& f,
     const scalar depth
 )
 {
-    const Eigen::Vector3d side(inSpace(x.row(f[1]) - x.row(f[0])));
+    const vector side(x[f[1]] - x[f[0]]);
     return
         f[2] < 0
-      ? Eigen::Vector3d(depth*side.cross(Eigen::Vector3d::UnitZ()))
-      : Eigen::Vector3d(0.5*side.cross(inSpace(x.row(f[2]) - x.row(f[0]))));
+      ? vector(depth*side.y(), -depth*side.x(), 0)
+      : 0.5*(side^(x[f[2]] - x[f[0]]));
+}
+
+
+//- Rows of an array of a copy
+static void toVectors
+(
+    const Eigen::Ref<const Eigen::MatrixXd>& rows,
+    vectorField& values
+)
+{
+    for (Eigen::Index d = 0; d < rows.cols(); ++d)
+    {
+        forAll(values, i)
+        {
+            values[i][d] = rows(i, d);
+        }
+    }
+}
+
+
+//- Take away the part across the sheet
+static void keepAlong(const vectorField& areas, vectorField& values)
+{
+    forAll(values, i)
+    {
+        const vector& n = areas[i];
+        values[i] -= ((values[i] & n)/max(magSqr(n), VSMALL))*n;
+    }
 }
 
 } // End namespace fsi
@@ -37,28 +62,49 @@ static Eigen::Vector3d areaVector
 void Foam::fsi::membraneSlip::setAreas
 (
     const Eigen::Ref<const Eigen::MatrixXd>& positions,
-    Eigen::ArrayXd& areas,
-    Eigen::MatrixXd& normals
+    vectorField& areas,
+    scalarField& sizes
 ) const
 {
-    areas.setZero(positions.rows());
-    normals.setZero(positions.rows(), nDims_);
+    vectorField x(positions.rows(), Zero);
+    toVectors(positions, x);
+    areas.setSize(x.size());
+    areas = Zero;
+    sizes.setSize(x.size());
+    sizes = 0;
     for (const surfaceFace& f : mesh_.faces)
     {
-        const Eigen::Vector3d area
-        (
-            areaVector(positions, f, depth_)/nDims_
-        );
-        const scalar size = area.norm();
+        const vector share(areaVector(x, f, depth_)/nDims_);
+        const scalar size = mag(share);
         for (label k = 0; k < nDims_; ++k)
         {
-            areas[f[k]] += size;
-            for (label d = 0; d < nDims_; ++d)
-            {
-                normals(f[k], d) += area[d];
-            }
+            areas[f[k]] += share;
+            sizes[f[k]] += size;
         }
     }
+}
+
+
+void Foam::fsi::membraneSlip::smooth
+(
+    vectorField& values,
+    vectorField& work
+) const
+{
+    const int* start = mean_.outerIndexPtr();
+    const int* node = mean_.innerIndexPtr();
+    const double* weight = mean_.valuePtr();
+    work.setSize(values.size());
+    forAll(work, i)
+    {
+        vector mean(Zero);
+        for (int k = start[i]; k < start[i + 1]; ++k)
+        {
+            mean += weight[k]*values[node[k]];
+        }
+        work[i] = mean;
+    }
+    values.swap(work);
 }
 
 
@@ -79,12 +125,11 @@ Foam::fsi::membraneSlip::membraneSlip
     nDims_(mesh.faces[0][2] < 0 ? 2 : 3),
     mean_(mesh.points.size(), mesh.points.size())
 {
-    const Eigen::MatrixXd x(rowsOf(mesh.points));
     std::vector<Eigen::Triplet<double>> weights;
     Eigen::ArrayXd total(Eigen::ArrayXd::Zero(mesh.points.size()));
     for (const surfaceFace& f : mesh.faces)
     {
-        const scalar area = areaVector(x, f, depth).norm();
+        const scalar area = mag(areaVector(mesh.points, f, depth));
         for (label k = 0; k < nDims_; ++k)
         {
             total[f[k]] += nDims_*area;
@@ -127,34 +172,30 @@ void Foam::fsi::membraneSlip::add
     Eigen::Ref<Eigen::MatrixXd> velocity
 ) const
 {
-    Eigen::ArrayXd areas;
-    Eigen::MatrixXd normals;
-    setAreas(positions, areas, normals);
-    const Eigen::ArrayXd sizes(normals.rowwise().squaredNorm().array());
-    const auto alongSheet = [&](Eigen::MatrixXd& values)
-    {
-        const Eigen::ArrayXd across
-        (
-            (values.array()*normals.array()).rowwise().sum()
-           /sizes.max(VSMALL)
-        );
-        values.array() -= normals.array().colwise()*across;
-    };
-
-    Eigen::MatrixXd perArea
-    (
-        force.array().colwise()/areas.max(VSMALL)
-    );
-    alongSheet(perArea);
+    vectorField areas;
+    scalarField sizes;
+    setAreas(positions, areas, sizes);
+    vectorField perArea(sizes.size(), Zero);
+    toVectors(force, perArea);
+    perArea /= max(sizes, VSMALL);
+    keepAlong(areas, perArea);
+    vectorField work;
     for (label i = 0; i < passes; ++i)
     {
-        perArea = (mean_*perArea).eval();
+        smooth(perArea, work);
     }
-    alongSheet(perArea);
+    keepAlong(areas, perArea);
     const scalar inner = material_.innerViscosity;
     const scalar perViscosity =
         0.5*(1/step.viscosity + 1/(inner > 0 ? inner : step.viscosity));
-    velocity += step.lag*step.spacing*perViscosity*perArea;
+    perArea *= step.lag*step.spacing*perViscosity;
+    forAll(perArea, i)
+    {
+        for (label d = 0; d < nDims_; ++d)
+        {
+            velocity(i, d) += perArea[i][d];
+        }
+    }
 }
 
 
