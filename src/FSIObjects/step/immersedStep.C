@@ -154,17 +154,13 @@ void Foam::fsi::immersedStep::predict(groupNodal force)
     setGradient();
 
     population& bodies = objects_.bodies();
-    groupNodal rest;
-    if (!bodies.onlyMembranes())
-    {
-        groupNodal load(pressureForce(walls_.atWalls(last.primitiveField())));
-        addNetForce(bodies, gradientForce_ + balance_.payment(), load);
-        rest = splitLoads(bodies, load);
-        nodeLayout::add(load, force);
-    }
+    groupNodal load(pressureForce(walls_.atWalls(last.primitiveField())));
+    addNetForce(bodies, gradientForce_ + balance_.payment(), load);
+    const groupNodal rest(splitLoads(bodies, load));
+    nodeLayout::add(force, load);
     predictObjects
     (
-        bodies, p_.time().value() - step().dt, step(), force, predicted_
+        bodies, p_.time().value() - step().dt, step(), load, predicted_
     );
     addResponse(bodies, rest, predicted_);
     objects_.contact().carry().begin(bodies, predicted_);
@@ -212,10 +208,6 @@ void Foam::fsi::immersedStep::finish()
     objects_.constrain(velocity_, step());
 
     population& bodies = objects_.bodies();
-    if (bodies.onlyMembranes())
-    {
-        return;
-    }
     vectorField nodal;
     walls_.transpose(p_.primitiveField(), nodal);
     nodal = linkForce_ + objects_.fluid().density*nodal;

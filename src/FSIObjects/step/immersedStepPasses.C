@@ -67,13 +67,10 @@ void Foam::fsi::immersedStep::solvePressure()
     subtractGradient(geometry_, p_, step().tau, nu, phi_);
 
     // All nodes move with the increment of the pressure, and films with them
-    if (!objects_.bodies().onlyMembranes())
-    {
-        before = velocity_.surface();
-        const groupNodal load(pressureForce(walls_.atWalls(p_) - last, true));
-        addResponse(objects_.bodies(), load, velocity_.change());
-        walls_.inFilms().addFaceFlux(velocity_.surface() - before, phi_);
-    }
+    before = velocity_.surface();
+    const groupNodal load(pressureForce(walls_.atWalls(p_) - last, true));
+    addResponse(objects_.bodies(), load, velocity_.change());
+    walls_.inFilms().addFaceFlux(velocity_.surface() - before, phi_);
     momentum_.cut().end(phi_);
 }
 

@@ -158,7 +158,6 @@ void Foam::fsi::immersedBodies::keepVolume
     Eigen::MatrixXd& v
 ) const
 {
-    const scalar volume = shape().referenceVolume();
     for (label copyi = 0; copyi < size(); ++copyi)
     {
         const Eigen::MatrixXd x
@@ -167,14 +166,10 @@ void Foam::fsi::immersedBodies::keepVolume
         );
         Eigen::MatrixXd along(Eigen::MatrixXd::Zero(x.rows(), x.cols()));
         bodyVolume::addGradient(shape().faces(), 1, x, along);
-        // x.dV/dx is the number of dimensions times V
-        const scalar excess =
-            (x.rowwise() - x.row(0)).cwiseProduct(along).sum()/x.cols()
-          - volume;
-        const scalar factor =
-            mag(excess) < nearlyKept*volume
-          ? -excess/along.squaredNorm()
-          : bodyVolume(shape().faces(), x, along).factorFor(volume);
+        const scalar factor = bodyVolume::factorAlongGradient
+        (
+            shape().faces(), x, along, shape().referenceVolume()
+        );
         ofCopy(v, copyi) += factor/dt*along;
     }
 }

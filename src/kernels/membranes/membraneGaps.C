@@ -66,7 +66,7 @@ void Foam::fsi::membraneGaps::sortVisitors
     box_.max() += range*vector::one;
     for (direction d = 0; d < 3; ++d)
     {
-        nBins_[d] = label((box_.max()[d] - box_.min()[d])/size_) + 1;
+        nBins_[d] = label((box_.max()[d] - box_.min()[d])*perSize_) + 1;
     }
     bins_.setSize(nBins_[0]*nBins_[1]*nBins_[2]);
     bins_ = -1;

@@ -15,6 +15,23 @@ Eigen::MatrixXd Foam::fsi::rowsOf(const UList<point>& points)
 }
 
 
+Foam::vectorField Foam::fsi::vectorsOf
+(
+    const Eigen::Ref<const Eigen::MatrixXd>& rows
+)
+{
+    vectorField vectors(rows.rows(), Zero);
+    for (Eigen::Index d = 0; d < rows.cols(); ++d)
+    {
+        forAll(vectors, i)
+        {
+            vectors[i][d] = rows(i, d);
+        }
+    }
+    return vectors;
+}
+
+
 void Foam::fsi::toLanes
 (
     const Eigen::MatrixXd& values,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "membraneSlip.H"
-#include "vectorField.H"
+#include "membraneLanes.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -23,23 +23,6 @@ static vector areaVector
         f[2] < 0
       ? vector(depth*side.y(), -depth*side.x(), 0)
       : 0.5*(side^(x[f[2]] - x[f[0]]));
-}
-
-
-//- Rows of an array of a copy
-static void toVectors
-(
-    const Eigen::Ref<const Eigen::MatrixXd>& rows,
-    vectorField& values
-)
-{
-    for (Eigen::Index d = 0; d < rows.cols(); ++d)
-    {
-        forAll(values, i)
-        {
-            values[i][d] = rows(i, d);
-        }
-    }
 }
 
 
@@ -66,8 +49,7 @@ void Foam::fsi::membraneSlip::setAreas
     scalarField& sizes
 ) const
 {
-    vectorField x(positions.rows(), Zero);
-    toVectors(positions, x);
+    const vectorField x(vectorsOf(positions));
     areas.setSize(x.size());
     areas = Zero;
     sizes.setSize(x.size());
@@ -175,8 +157,7 @@ void Foam::fsi::membraneSlip::add
     vectorField areas;
     scalarField sizes;
     setAreas(positions, areas, sizes);
-    vectorField perArea(sizes.size(), Zero);
-    toVectors(force, perArea);
+    vectorField perArea(vectorsOf(force));
     perArea /= max(sizes, VSMALL);
     keepAlong(areas, perArea);
     vectorField work;
@@ -189,13 +170,7 @@ void Foam::fsi::membraneSlip::add
     const scalar perViscosity =
         0.5*(1/step.viscosity + 1/(inner > 0 ? inner : step.viscosity));
     perArea *= step.lag*step.spacing*perViscosity;
-    forAll(perArea, i)
-    {
-        for (label d = 0; d < nDims_; ++d)
-        {
-            velocity(i, d) += perArea[i][d];
-        }
-    }
+    velocity += rowsOf(perArea).leftCols(nDims_);
 }
 
 

@@ -193,4 +193,23 @@ void Foam::fsi::bodyVolume::addGradient
 }
 
 
+
+Foam::scalar Foam::fsi::bodyVolume::factorAlongGradient
+(
+    const List<surfaceFace>& faces,
+    const nodes& x,
+    const nodes& gradient,
+    const scalar volume
+)
+{
+    // V is homogeneous: x.dV/dx is V times the number of dimensions
+    const scalar excess =
+        (x.rowwise() - x.row(0)).cwiseProduct(gradient).sum()/x.cols() - volume;
+    return
+        mag(excess) < small*volume
+      ? -excess/gradient.squaredNorm()
+      : bodyVolume(faces, x, gradient).factorFor(volume);
+}
+
+
 // ************************************************************************* //
