@@ -143,9 +143,9 @@ def check_contact(report, folder):
                          f"mean velocity {free}, not {fixed}")
 
 
-def dense(folder, name, step, coupling="", scheme="Euler"):
+def dense(folder, name, step, coupling="", scheme="Euler", end=0.2):
     """Viscosity of discs at 45 %, of radius 1 and 4 cells, between walls."""
-    half, viscosity, end = 6, 10, 0.2
+    half, viscosity = 6, 10
     case = fsiCase.Case(
         os.path.join(folder, name), box=(-half, -half, half, half),
         cells=(8*half, 8*half), cyclic="x", viscosity=viscosity,
@@ -173,6 +173,11 @@ def check_dense(report, folder):
             large = dense(folder, f"dense{scheme}{step}", step, "", scheme)
             report.check(f"dense discs, {scheme}, step {step}",
                          abs(large/small - 1) < 0.01, f"{large}, not {small}")
+    # The states part in 32 such steps, but no scheme may break
+    euler, backward = (dense(folder, f"long{scheme}", 16, "", scheme, 3.2)
+                       for scheme in ("Euler", "backward"))
+    report.check("dense discs, backward, step 16",
+                 abs(backward/euler - 1) < 0.1, f"{backward}, not {euler}")
 
 
 def main(folder):
