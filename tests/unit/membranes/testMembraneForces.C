@@ -195,10 +195,8 @@ TEST(membraneForces, volumeIsKept)
         group->move(dt, v);
         for (label copyi = 0; copyi < 2; ++copyi)
         {
-            EXPECT_NEAR
-            (
-                group->volume(copyi)/shape->referenceVolume(), 1, 1e-12
-            );
+            const scalar kept = group->volume(copyi)/shape->referenceVolume();
+            EXPECT_NEAR(kept, 1, 1e-12);
         }
     }
 }
