@@ -116,6 +116,22 @@ def crowd(path, **parameters):
         "endTime": 0.1, "writeInterval": 25, **CONTROLS, **parameters}).set_up()
 
 
+def dense(path, **parameters):
+    """Rigid discs at 40 % in a shear that is periodic in x, with steps of
+    10 h^2/nu: films begin and end within a step, and cells become fluid."""
+    case = fsiCase.Case(path, **{
+        "box": (-6, -6, 6, 6), "cells": (48, 48), "cyclic": "x",
+        "viscosity": 10, "walls": {"top": "(6 0 0)", "bottom": "(-6 0 0)"},
+        "shapes": "ball { shape { type circle; radius 1; } "
+                  "material { density 1; type rigid; } }",
+        "placements": "a { type packed; shape ball; areaFraction 0.4; "
+                      "minimumGap 0.03; wallGap 0.03; }",
+        "deltaT": 0.0625, "endTime": 0.5, "writeInterval": 8, **CONTROLS,
+        **parameters})
+    case.set_velocity(lambda x, y, z=0: (y, 0))
+    return case.set_up()
+
+
 def decompose(case, parts, options=()):
     """Cuts a case into nx by ny by nz ranks (parts), or into three of which the
     second has no cells ("hollow"); the number of ranks."""

@@ -232,16 +232,17 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::velocity
 Foam::tmp<Foam::surfaceScalarField> Foam::fsi::faceVelocities::nearVelocity
 (
     const volVectorField& U,
-    const vectorField& wallVelocity
+    const vectorField& wallVelocity,
+    const UList<label>& some
 ) const
 {
-    // Pages of faces that are not near are never touched
+    // Pages of other faces are never touched
     const fvMesh& mesh = U.mesh();
     tmp<surfaceScalarField> tvelocity(patchVelocity(U));
     surfaceScalarField& velocity = tvelocity.ref();
     const labelUList& own = mesh.owner();
     const labelUList& nei = mesh.neighbour();
-    for (const label facei : geometry_.nearFaces())
+    for (const label facei : some)
     {
         if (facei < mesh.nInternalFaces())
         {

@@ -59,14 +59,14 @@ void Foam::fsi::movedFaces::begin
     const vectorField& walls
 )
 {
-    const bool any = geometry_.nearFaces().size();
-    kind_.setSize(any ? U.mesh().nFaces() : 0);
+    near_ = geometry_.nearFaces();
+    kind_.setSize(near_.size() ? U.mesh().nFaces() : 0);
     kind_ = far;
-    for (const label facei : geometry_.nearFaces())
+    for (const label facei : near_)
     {
         kind_[facei] = kindOf(facei);
     }
-    before_ = faces_.nearVelocity(U, walls);
+    before_ = faces_.nearVelocity(U, walls, near_);
 }
 
 
@@ -79,7 +79,14 @@ void Foam::fsi::movedFaces::end
     surfaceScalarField& history
 )
 {
-    after_ = faces_.nearVelocity(U, walls);
+    for (const label facei : geometry_.nearFaces())
+    {
+        if (!before_.valid() || wasFar(facei))
+        {
+            near_.append(facei);
+        }
+    }
+    after_ = faces_.nearVelocity(U, walls, near_);
     const auto jump = [&](const scalar before, const scalar after)
     {
         return (before - after)/(1 + rate + mag(after)*perSpeed);
@@ -87,11 +94,8 @@ void Foam::fsi::movedFaces::end
     const fvMesh& mesh = U.mesh();
     const label nInternal = mesh.nInternalFaces();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const UList<label> near
-    (
-        before_.valid() ? geometry_.nearFaces() : UList<label>()
-    );
-    for (const label facei : near)
+    const label nMoved = before_.valid() ? near_.size() : 0;
+    for (const label facei : SubList<label>(near_, nMoved))
     {
         const char before = kindBefore(facei);
         const char now = kindOf(facei);
@@ -126,7 +130,7 @@ void Foam::fsi::movedFaces::setFlux(surfaceScalarField& flux)
     const scalarField& last = geometry_.lastOpenness();
     const scalar area = geometry_.grid().faceArea();
     const surfaceScalarField& velocity = after_();
-    for (const label facei : geometry_.nearFaces())
+    for (const label facei : near_)
     {
         if (facei < flux.size() && (open[facei] < 1 || last[facei] < 1))
         {
@@ -147,6 +151,7 @@ void Foam::fsi::movedFaces::setFlux(surfaceScalarField& flux)
         }
     }
     after_.clear();
+    near_.clear();
 }
 
 

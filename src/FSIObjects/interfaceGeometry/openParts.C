@@ -14,8 +14,9 @@ namespace Foam
 namespace fsi
 {
 
-//- A face whose owner is farther from the surfaces, in cells, is open or closed
-//  as a whole, and so are those next to it: less than the band's least width
+//- A face whose cells are both farther from the surfaces, in cells, is open or
+//  closed as a whole, and so are those next to it: less than the band's least
+//  width
 static const scalar nearest = 2.5;
 
 } // End namespace fsi
@@ -72,7 +73,8 @@ void Foam::fsi::openParts::setOpenness
     {
         const label here = haloIndex[owner[facei]];
         const scalar inCell = cellDistance[here];
-        if (mag(inCell) > reach)
+        const scalar beyond = cellDistance[here + grid_.stepAcross(facei)];
+        if (min(mag(inCell), mag(beyond)) > reach)
         {
             // All corners are on the same side
             openness_[facei] = inCell > 0 ? 1 : 0;

@@ -10,37 +10,42 @@
 
 void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
 {
-    const bool symmetric = !equation.hasLower();
     const scalarField& upper = equation.upper();
-    const scalarField& lower = symmetric ? upper : equation.lower();
+    const scalarField& lower =
+        equation.hasLower() ? equation.lower() : upper;
 
-    // A coefficient and the one of the other side of its face make the
-    // symmetric and the antisymmetric part. Rows with fixed values have none
+    // Coefficients of both sides of a face make both parts; on a patch the
+    // other one is what it adds to the diagonal. Fixed rows have none
     const labelUList& own = equation.lduAddr().lowerAddr();
     const labelUList& nei = equation.lduAddr().upperAddr();
     const labelUList& ownerSlot = order_.ownerSlot();
     const labelUList& neighbourSlot = order_.neighbourSlot();
     x_ = 0;
+    const auto addSums = [&](const label celli, const scalar a, const scalar b)
+    {
+        scalar* sums = &x_[nDims_*row(celli)];
+        sums[0] += 0.5*mag(a + b);
+        sums[1] += 0.5*mag(a - b);
+    };
     forAll(own, facei)
     {
         const scalar a = upper[facei];
         const scalar b = lower[facei];
         coefficient_[ownerSlot[facei]] = a;
         coefficient_[neighbourSlot[facei]] = b;
-        for (const label celli : {own[facei], nei[facei]})
-        {
-            scalar* sums = &x_[nDims_*row(celli)];
-            sums[0] += 0.5*mag(a + b);
-            sums[1] += 0.5*mag(a - b);
-        }
+        addSums(own[facei], a, b);
+        addSums(nei[facei], a, b);
     }
     const labelListList& patchSlot = order_.patchSlot();
     forAll(patchSlot, patchi)
     {
-        const vectorField& coeffs = boundaryCoeffsOf(equation)[patchi];
+        const labelUList& cells = equation.lduAddr().patchAddr(patchi);
         forAll(patchSlot[patchi], i)
         {
-            coefficient_[patchSlot[patchi][i]] = -coeffs[i].x();
+            const scalar a = -boundaryCoeffsOf(equation)[patchi][i].x();
+            const scalar b = -internalCoeffsOf(equation)[patchi][i].x();
+            coefficient_[patchSlot[patchi][i]] = a;
+            addSums(cells[i], a, b);
         }
     }
 }

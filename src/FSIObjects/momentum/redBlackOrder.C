@@ -81,20 +81,15 @@ void Foam::fsi::redBlackOrder::setRows()
 }
 
 
-Foam::label Foam::fsi::redBlackOrder::nextSlot
+Foam::label Foam::fsi::redBlackOrder::slot
 (
-    labelList& neighbourRow,
     const label celli,
-    const label row
+    const label facei,
+    const bool owner
 ) const
 {
-    label slot = nSlots_*rowOf_[celli];
-    while (neighbourRow[slot] >= 0)
-    {
-        ++slot;
-    }
-    neighbourRow[slot] = row;
-    return slot;
+    const bool above = grid_.faceAlong(facei) == owner;
+    return nSlots_*rowOf_[celli] + 2*grid_.faceDirection(facei) + label(above);
 }
 
 
@@ -118,7 +113,8 @@ void Foam::fsi::redBlackOrder::setPatchSlots
                 oppositeOf(refCast<const cyclicPolyPatch>(patch))
                .faceCells()[i]
             ];
-        patchSlot_[patchi][i] = nextSlot(neighbourRow, cells[i], row);
+        patchSlot_[patchi][i] = slot(cells[i], patch.start() + i, true);
+        neighbourRow[patchSlot_[patchi][i]] = row;
     }
 }
 
@@ -134,10 +130,10 @@ Foam::labelList Foam::fsi::redBlackOrder::setSlots()
     neighbourSlot_.setSize(own.size());
     forAll(own, facei)
     {
-        ownerSlot_[facei] =
-            nextSlot(neighbourRow, own[facei], rowOf_[nei[facei]]);
-        neighbourSlot_[facei] =
-            nextSlot(neighbourRow, nei[facei], rowOf_[own[facei]]);
+        ownerSlot_[facei] = slot(own[facei], facei, true);
+        neighbourSlot_[facei] = slot(nei[facei], facei, false);
+        neighbourRow[ownerSlot_[facei]] = rowOf_[nei[facei]];
+        neighbourRow[neighbourSlot_[facei]] = rowOf_[own[facei]];
     }
 
     patchSlot_.setSize(mesh.boundary().size());
@@ -159,17 +155,16 @@ Foam::FixedList<Foam::label, 6> Foam::fsi::redBlackOrder::offsets
 ) const
 {
     const label* neighbour = neighbourRow.cdata() + nSlots_*row;
+    const label* some =
+        std::find_if
+        (
+            neighbour, neighbour + nSlots_, [](label other){return other >= 0;}
+        );
+    const label instead = some < neighbour + nSlots_ ? *some - row : 0;
     FixedList<label, 6> offset(Zero);
     for (label k = 0; k < nSlots_; ++k)
     {
-        if (neighbour[k] >= 0)
-        {
-            offset[k] = neighbour[k] - row;
-        }
-        else if (k > 0)
-        {
-            offset[k] = offset[0];
-        }
+        offset[k] = neighbour[k] >= 0 ? neighbour[k] - row : instead;
     }
     return offset;
 }

@@ -132,8 +132,20 @@ void Foam::fsi::objectsPressure::beginStep(volScalarField& p)
 }
 
 
-void Foam::fsi::objectsPressure::endStep(const volScalarField& p)
+void Foam::fsi::objectsPressure::endStep(volScalarField& p)
 {
+    if (p.needReference())
+    {
+        const boolList& active = geometry_.activeCell();
+        const scalar level =
+            activeMean(p.primitiveField(), active)
+          - activeMean(rate_.primitiveField(), active);
+        forAll(p, celli)
+        {
+            p[celli] -= active[celli] ? level : 0;
+        }
+        p.correctBoundaryConditions();
+    }
     const scalar dt = p.time().deltaTValue();
     forAll(p, celli)
     {

@@ -3,8 +3,9 @@
 """Three ranks in a row, of which the middle one has two neighbours and the
 others one, and three of which one has no cells, give the objects of one rank.
 So do two where a periodic square has an odd number of cells, and four and six
-ranks where objects touch and go from one to the other. A restart on three ranks
-is the run without a stop to the last bit.
+ranks where objects touch and go from one to the other, and three where discs
+are dense and steps long. A restart on three ranks is the run without a stop to
+the last bit.
 
     threeRanks.py FOLDER
 """
@@ -73,6 +74,8 @@ def main(folder):
                    [(1, 2, 1)])
     report.attempt("crowd", anyRanks.compare, report, folder,
                    anyRanks.crowd, [(2, 2, 1), (3, 2, 1)])
+    report.attempt("dense", anyRanks.compare, report, folder,
+                   anyRanks.dense, [(3, 1, 1)])
     report.attempt("restart", check_restart, report, folder)
     report.attempt("more ranks", check_more_ranks, report, folder)
 

@@ -134,4 +134,37 @@ TEST(movedFaces, keepTheVelocityOfTheFluidInAFilmThatWasNotNear)
 }
 
 
+TEST(movedFaces, keepTheVelocityOfAFilmThatEndedFarFromSurfaces)
+{
+    for (const direction split : {0, 1})
+    {
+        pairInWind p(split);
+        p.place(14, 21);
+        const List<filmFace> films(p.discs.geometry().films().faces());
+        p.move(8, 31, Zero);
+        const cartesianMesh& grid = p.discs.grid();
+        const scalarField& after = p.discs.levelSet().cellDistance();
+        label n = 0;
+        for (const filmFace& film : films)
+        {
+            const label here =
+                grid.haloIndex()[p.discs.mesh().faceOwner()[film.face]];
+            const label there = here + grid.stepAcross(film.face);
+            if (min(after[here], after[there]) > 2.5)
+            {
+                ++n;
+                const scalar along = wind[film.dir];
+                EXPECT_NEAR
+                (
+                    atFace(p.history, film.face),
+                    grid.faceAlong(film.face) ? -along : along,
+                    1e-12
+                );
+            }
+        }
+        EXPECT_GT(overRanks(n, sumOp<label>()), 3);
+    }
+}
+
+
 // ************************************************************************* //
