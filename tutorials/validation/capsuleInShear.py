@@ -24,14 +24,15 @@ EXACT = ((0.15, (0.2351, 0.2672, 0.2714)), (0.3, (0.3133, 0.3860, 0.3967)),
 REYNOLDS = 0.01
 
 
-def capsule(capillary, cells):
-    """The case, solved, and minutes."""
+def capsule(capillary, cells, kernel=3):
+    """The case, solved, and minutes. kernel: number of its points."""
     case = shear_box(
-        f"capsuleInShear-{capillary}-{cells}", "capsule",
+        f"capsuleInShear-{capillary}-{cells}-{kernel}", "capsule",
         body("capsule", "sphere; radius 1;",
              "type membrane; law neoHookean; density 1; shearModulus "
              f"{1/REYNOLDS/capillary};"),
         cells, side=12, reynolds=REYNOLDS, deltaT=0.02, endTime=6,
+        more=f" membranes {{ kernel {kernel}; }}",
         writeInterval=6, p_tolerance=1e-4, U_tolerance=1e-4)
     return case, case.solve(40000)
 
@@ -52,4 +53,17 @@ def in_shear():
                       case.volume_change(), 1e-6, 0)
 
 
-LONG = {"capsuleInShear": in_shear}
+def finer():
+    """Deformation at Ca 0.3 by mesh and kernel."""
+    capillary, values = EXACT[1]
+    for kernel in (3, 2):
+        what = (f"capsule in shear, Ca {capillary}, kernel of {kernel} points: "
+                "deformation at 6")
+        for cells in (5, 8, 12, 16):
+            case, minutes = capsule(capillary, cells, kernel)
+            yield Row(what, f"a/h = {cells}", values[-1],
+                      at(case.objects(), "time", 6, "deformation"),
+                      None, minutes, (what, cells))
+
+
+LONG = {"capsuleInShear": in_shear, "capsuleInShearFiner": finer}

@@ -26,13 +26,14 @@ KINDS = {"rigid": "type rigid; density 1;", "stiff": "density 1; E 1e5;"}
 
 
 def shear_box(name, shape, shapes, cells, side=10, reynolds=0.1, n_dims=3,
-              **parameters):
-    """A box with a body of a shape in its middle, radius/h = cells."""
+              more="", **parameters):
+    """A box with a body of a shape in its middle, radius/h = cells. more:
+    entries of fsiProperties."""
     return sheared(
         name, (side/2,)*n_dims, cells, viscosity=1/reynolds, shapes=shapes,
         placements=f"all {{ type listed; shape {shape}; objects "
         f"({carried(0, 0)}); }}",
-        properties="output { objectsEvery 1; }", **parameters)
+        properties="output { objectsEvery 1; }" + more, **parameters)
 
 
 def turning(kind, cells, n_dims=3, side=10):

@@ -79,6 +79,10 @@ void Foam::fsi::movedFaces::end
     surfaceScalarField& history
 )
 {
+    if (!before_.valid())
+    {
+        near_.clear();
+    }
     for (const label facei : geometry_.nearFaces())
     {
         if (!before_.valid() || wasFar(facei))
