@@ -79,13 +79,14 @@ void Foam::fsi::movedFaces::end
     surfaceScalarField& history
 )
 {
-    if (!before_.valid())
+    const bool began = before_.valid();
+    if (!began)
     {
         near_.clear();
     }
     for (const label facei : geometry_.nearFaces())
     {
-        if (!before_.valid() || wasFar(facei))
+        if (!began || wasFar(facei))
         {
             near_.append(facei);
         }
@@ -98,8 +99,7 @@ void Foam::fsi::movedFaces::end
     const fvMesh& mesh = U.mesh();
     const label nInternal = mesh.nInternalFaces();
     const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const label nMoved = before_.valid() ? near_.size() : 0;
-    for (const label facei : SubList<label>(near_, nMoved))
+    for (const label facei : SubList<label>(near_, began ? near_.size() : 0))
     {
         const char before = kindBefore(facei);
         const char now = kindOf(facei);
@@ -155,7 +155,6 @@ void Foam::fsi::movedFaces::setFlux(surfaceScalarField& flux)
         }
     }
     after_.clear();
-    near_.clear();
 }
 
 

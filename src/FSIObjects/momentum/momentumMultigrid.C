@@ -112,8 +112,7 @@ bool Foam::fsi::momentumMultigrid::pays
     }
     // 1.5 is the factor for dt nu/h^2 of 3 in three dimensions. Some 20 sweeps
     // take as long as a solution by multigrid
-    const scalar ofDiffusion =
-        2/(1 + Foam::sqrt(max(1 - sqr(matrix.radii()[0]), 0.0)));
+    const scalar ofDiffusion = overRelaxation::best(matrix.radii()[0], 0);
     return
         (fluid.shearDependent() ? ofDiffusion : matrix.relaxation()) > 1.5;
 }

@@ -7,13 +7,22 @@
 Foam::scalar Foam::fsi::overRelaxation::better(const scalar rate) const
 {
     const scalar mu2 = sqr(rate + factor_ - 1)/(sqr(factor_)*rate);
-    const scalar best =
-        mu2 < 1 ? 2/(1 + Foam::sqrt(1 - mu2)) : largest_;
-    return min(best, largest_);
+    return min(best(Foam::sqrt(mu2), 0), largest_);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::overRelaxation::best
+(
+    const scalar alpha,
+    const scalar beta
+)
+{
+    const scalar squares = max(1 - sqr(alpha), scalar(0)) + sqr(beta);
+    return 2/(1 + Foam::sqrt(squares));
+}
+
 
 void Foam::fsi::overRelaxation::start
 (

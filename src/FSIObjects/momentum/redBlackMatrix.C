@@ -40,12 +40,13 @@ void Foam::fsi::redBlackMatrix::setCoefficients(const fvVectorMatrix& equation)
     forAll(patchSlot, patchi)
     {
         const labelUList& cells = equation.lduAddr().patchAddr(patchi);
+        const vectorField& internal = internalCoeffsOf(equation)[patchi];
+        const vectorField& boundary = boundaryCoeffsOf(equation)[patchi];
         forAll(patchSlot[patchi], i)
         {
-            const scalar a = -boundaryCoeffsOf(equation)[patchi][i].x();
-            const scalar b = -internalCoeffsOf(equation)[patchi][i].x();
+            const scalar a = -boundary[i].x();
             coefficient_[patchSlot[patchi][i]] = a;
-            addSums(cells[i], a, b);
+            addSums(cells[i], a, -internal[i].x());
         }
     }
 }
@@ -85,7 +86,7 @@ void Foam::fsi::redBlackMatrix::setDiagonal(const fvVectorMatrix& equation)
 }
 
 
-void Foam::fsi::redBlackMatrix::setRelaxation()
+void Foam::fsi::redBlackMatrix::setRadii()
 {
     radii_ = Zero;
     for (label row = 0; row < nRows(); ++row)
@@ -94,8 +95,6 @@ void Foam::fsi::redBlackMatrix::setRelaxation()
         radii_[1] = max(radii_[1], value(row)[1]/(*diagonal(row)));
     }
     combineOverRanks(radii_, maxEqOp<scalar>());
-    const scalar squares = max(1 - sqr(radii_[0]), 0.0) + sqr(radii_[1]);
-    relaxation_ = 2/(1 + Foam::sqrt(squares));
 }
 
 
@@ -118,7 +117,6 @@ Foam::fsi::redBlackMatrix::redBlackMatrix(const cartesianMesh& grid)
     nSweeps_(0),
     firstResidual_(0),
     lastResidual_(0),
-    relaxation_(1),
     radii_(2, Zero)
 {}
 
@@ -133,7 +131,7 @@ void Foam::fsi::redBlackMatrix::set
 {
     setCoefficients(equation);
     setDiagonal(equation);
-    setRelaxation();
+    setRadii();
     const vectorField& U = equation.psi().primitiveField();
     forAll(U, celli)
     {

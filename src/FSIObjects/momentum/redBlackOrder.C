@@ -83,11 +83,13 @@ void Foam::fsi::redBlackOrder::setRows()
 
 Foam::label Foam::fsi::redBlackOrder::slot
 (
-    const label celli,
     const label facei,
     const bool owner
 ) const
 {
+    const polyMesh& mesh = grid_.mesh();
+    const label celli =
+        owner ? mesh.faceOwner()[facei] : mesh.faceNeighbour()[facei];
     const bool above = grid_.faceAlong(facei) == owner;
     return nSlots_*rowOf_[celli] + 2*grid_.faceDirection(facei) + label(above);
 }
@@ -113,7 +115,7 @@ void Foam::fsi::redBlackOrder::setPatchSlots
                 oppositeOf(refCast<const cyclicPolyPatch>(patch))
                .faceCells()[i]
             ];
-        patchSlot_[patchi][i] = slot(cells[i], patch.start() + i, true);
+        patchSlot_[patchi][i] = slot(patch.start() + i, true);
         neighbourRow[patchSlot_[patchi][i]] = row;
     }
 }
@@ -130,8 +132,8 @@ Foam::labelList Foam::fsi::redBlackOrder::setSlots()
     neighbourSlot_.setSize(own.size());
     forAll(own, facei)
     {
-        ownerSlot_[facei] = slot(own[facei], facei, true);
-        neighbourSlot_[facei] = slot(nei[facei], facei, false);
+        ownerSlot_[facei] = slot(facei, true);
+        neighbourSlot_[facei] = slot(facei, false);
         neighbourRow[ownerSlot_[facei]] = rowOf_[nei[facei]];
         neighbourRow[neighbourSlot_[facei]] = rowOf_[own[facei]];
     }

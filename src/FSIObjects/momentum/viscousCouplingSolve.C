@@ -62,7 +62,9 @@ void Foam::fsi::viscousCoupling::sweep
     startCorrection(norm);
     // Cells with little viscosity may be beside others with much of it
     const scalar largest =
-        fluid_.shearDependent() ? 2/(1 + matrix_.radii()[1]) : 2;
+        fluid_.shearDependent()
+      ? overRelaxation::best(1, matrix_.radii()[1])
+      : 2;
     relaxation_.start(matrix_.relaxation(), largest);
     do
     {

@@ -121,12 +121,10 @@ void Foam::fsi::objectsPressure::beginStep(volScalarField& p)
 {
     const boolList& active = geometry_.activeCell();
     const scalar dt = p.time().deltaTValue();
-    const scalar level =
-        p.needReference() ? activeMean(rate_.primitiveField(), active) : 0;
     forAll(active, celli)
     {
         const scalar start = p[celli];
-        p[celli] += active[celli] ? dt*(rate_[celli] - level) : 0;
+        p[celli] += active[celli] ? dt*rate_[celli] : 0;
         rate_[celli] = start;
     }
 }
@@ -134,22 +132,21 @@ void Foam::fsi::objectsPressure::beginStep(volScalarField& p)
 
 void Foam::fsi::objectsPressure::endStep(volScalarField& p)
 {
-    if (p.needReference())
-    {
-        const boolList& active = geometry_.activeCell();
-        const scalar level =
-            activeMean(p.primitiveField(), active)
-          - activeMean(rate_.primitiveField(), active);
-        forAll(p, celli)
-        {
-            p[celli] -= active[celli] ? level : 0;
-        }
-        p.correctBoundaryConditions();
-    }
     const scalar dt = p.time().deltaTValue();
     forAll(p, celli)
     {
         rate_[celli] = (p[celli] - rate_[celli])/dt;
+    }
+    if (p.needReference())
+    {
+        const boolList& active = geometry_.activeCell();
+        const scalar level = activeMean(rate_.primitiveField(), active);
+        forAll(p, celli)
+        {
+            rate_[celli] -= active[celli] ? level : 0;
+            p[celli] -= active[celli] ? dt*level : 0;
+        }
+        p.correctBoundaryConditions();
     }
 }
 

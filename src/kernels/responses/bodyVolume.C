@@ -193,7 +193,6 @@ void Foam::fsi::bodyVolume::addGradient
 }
 
 
-
 Foam::scalar Foam::fsi::bodyVolume::factorAlongGradient
 (
     const List<surfaceFace>& faces,

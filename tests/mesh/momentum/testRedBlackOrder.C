@@ -4,6 +4,7 @@
 
 #include "boxMesh.H"
 #include "cartesianMesh.H"
+#include "openfoamVersion.H"
 #include "redBlackMatrix.H"
 #include "fvmLaplacian.H"
 #include "fvmSup.H"
