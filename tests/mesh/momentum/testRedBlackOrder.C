@@ -103,6 +103,8 @@ TEST(redBlackMatrix, radiusCountsAllNeighbours)
     matrix.set(equation);
     EXPECT_NEAR(matrix.radii()[0], 4.0/(4 + 1), 1e-12);
     EXPECT_NEAR(matrix.radii()[1], 0, 1e-12);
+    EXPECT_NEAR(matrix.relaxation(), 2/(1 + 0.6), 1e-12);
+    EXPECT_NEAR(overRelaxation::best(1, 0.6), 2/(1 + 0.6), 1e-12);
 }
 
 
