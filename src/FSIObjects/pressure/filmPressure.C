@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "filmPressure.H"
+#include "activeMean.H"
 #include "fillFromNeighbours.H"
 #include "sumOverRanks.H"
 
@@ -33,19 +34,17 @@ void Foam::fsi::fillFilmCells
         return;
     }
 
-    scalarField known(p.size(), Zero);
-    forAll(known, celli)
-    {
-        known[celli] = geometry.activeCell()[celli] ? 1 : 0;
-    }
+    boolList others(geometry.activeCell());
     for (const label celli : cells)
     {
-        known[celli] = 0;
+        others[celli] = false;
     }
-    const scalar sum =
-        overRanks(Foam::sum(known*p.primitiveField()), sumOp<scalar>());
-    const scalar mean =
-        sum/max(overRanks(Foam::sum(known), sumOp<scalar>()), 1.0);
+    const scalar mean = activeMean(p.primitiveField(), others);
+    scalarField known(p.size());
+    forAll(known, celli)
+    {
+        known[celli] = others[celli];
+    }
 
     for (label pass = 0; pass < maxPasses && left > 0; ++pass)
     {
