@@ -50,8 +50,12 @@ def tables(text):
             before = text[:match.start()].rstrip(" ")
             title = re.split(r"\n\s*\n|Usage\n|endtable\n|endverbatim\n",
                              before)[-1]
+            rest = text[match.end():]
             after = re.split(r"\n\s*\n|\\(?:verbatim|table)|SourceFiles",
-                             text[match.end():])[0]
+                             rest)[0]
+            if rest[len(after):].startswith("\\table"):
+                # It introduces the next table
+                after = ""
             yield plain(title), rows, plain(after)
 
 

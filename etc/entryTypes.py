@@ -42,6 +42,12 @@ OTHERS = {
     "libs": "file names", "U": "word", "p": "word", "simulationType": "word",
     "transportModel": "word", "follow": "whole number or all",
 }
+# Entries whose type in one class is not that of the call that reads them
+OWN = {
+    ("shapeClasses", "density"): ("dictionary", ""),
+    ("shapeClasses", "E"): ("dictionary", ""),
+    ("surfaceFile", "piece"): ("whole number or all", ">= 1"),
+}
 
 
 def arguments(text, start):
@@ -104,6 +110,8 @@ class Types:
             return (not (near and os.path.basename(source).startswith(base)),
                     not near)
 
+        if (base, name) in OWN:
+            return OWN[(base, name)]
         if name == "rotation" and path.startswith(
                 ("src/FSIObjects", "src/FSISeeding")):
             return "angle or dictionary", ""

@@ -2,8 +2,12 @@
 """What etc/render reads of a case: VTK series of the objects, and the mesh."""
 
 import glob
+import gzip
 import json
 import os
+import re
+import shutil
+import subprocess
 
 from vtkmodules import vtkCommonDataModel, vtkFiltersCore
 from vtkmodules import vtkIOParallel, vtkIOXML
@@ -20,6 +24,65 @@ def times_of(reader):
     values = reader.GetTimeValues()
     count = values.GetNumberOfTuples() if values else 0
     return [values.GetValue(i) for i in range(count)]
+
+
+def files_of(case, time, field):
+    """The files of a field at a time, of the whole case or of its ranks."""
+    found = []
+    for path in (glob.glob(os.path.join(case, "*", field + "*"))
+                 + glob.glob(os.path.join(case, "processor*", "*",
+                                          field + "*"))):
+        folder, name = os.path.split(path)
+        try:
+            same = float(os.path.basename(folder)) == time
+        except ValueError:
+            continue
+        if same and name in (field, field + ".gz"):
+            found.append(path)
+    return found
+
+
+def wall_velocity(case, time, patch):
+    """Velocity along x of a wall, from the fields that a run has written."""
+    for path in files_of(case, time, "U"):
+        opened = gzip.open if path.endswith(".gz") else open
+        with opened(path, "rt", encoding="latin-1") as stream:
+            text = stream.read()
+        entries = re.search(
+            r"\n\s*" + re.escape(patch) + r"\s*\{(.*?)\n    \}",
+            text[text.rfind("boundaryField"):], re.S)
+        values = re.search(r"\bvalue\s+(.*?)\(\s*([^\s)]*)",
+                           entries.group(1) if entries else "", re.S)
+        if not values:
+            if entries and re.search(r"type\s+noSlip\s*;", entries.group(1)):
+                return 0.0
+            continue
+        if "nonuniform" not in values.group(1):
+            return float(values.group(2))
+        if not re.search(r"List<vector>\s*0\s*$", values.group(1)):
+            raise OSError(f"the velocity of wall {patch} is not the same "
+                          "everywhere")
+    raise OSError(f"no velocity of wall {patch} in field U at {time}")
+
+
+def entry(case, name, key):
+    """The value of an entry of a dictionary, as text; None if there is none.
+    OpenFOAM reads it where the file has variables or includes files."""
+    path = os.path.join(case, name)
+    if not os.path.exists(path):
+        return None
+    with open(path, encoding="utf-8") as stream:
+        text = re.sub(r"/\*.*?\*/|//[^\n]*", "", stream.read(), flags=re.S)
+    if not re.search(r"[$#]", text):
+        found = re.search(r"(?:^|[;}\s])" + key + r"\s+([^;{}]*);", text)
+        return found.group(1).strip() if found else None
+    if not shutil.which("foamDictionary"):
+        raise OSError(f"{path} has variables, which OpenFOAM reads: source its "
+                      "environment")
+    read = subprocess.run(
+        ["foamDictionary", "-entry", key, "-value", name], cwd=case,
+        capture_output=True, encoding="utf-8", check=False)
+    return read.stdout.strip() if read.returncode == 0 else None
 
 
 class Series:
@@ -125,6 +188,26 @@ class Fluid:
                         periods[i] = length
                 patches.GoToNextItem()
         return periods
+
+    def walls(self, axis, bounds):
+        """Names of the walls at the lower and at the upper end of an axis."""
+        names = [[], []]
+        reader = self.open("group/wall", not self.has_mesh)
+        reader.DisableAllCellArrays()
+        reader.Update()
+        patches = reader.GetOutput().NewIterator()
+        while not patches.IsDoneWithTraversal():
+            box = patches.GetCurrentDataObject().GetBounds()
+            name = patches.GetCurrentMetaData().Get(
+                vtkCommonDataModel.vtkCompositeDataSet.NAME())
+            for end in range(2):
+                at = bounds[2*axis + end]
+                length = bounds[2*axis + 1] - bounds[2*axis]
+                if max(abs(box[2*axis] - at),
+                       abs(box[2*axis + 1] - at)) < 1e-5*length:
+                    names[end].append(name)
+            patches.GoToNextItem()
+        return names
 
     def bounds(self, time):
         """The box of the mesh."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Charts of etc/plot from the columns of objects.csv."""
+"""Charts of etc/plot from the columns of objects.csv, units and means."""
 
 import statistics
 
@@ -15,6 +15,11 @@ UNITS = {
     "kineticEnergy": "J", "elasticEnergy": "J", "contactEnergy": "J",
     "deltaT": "s", "maxSpeed": "m/s", "fluidVelocity": "m/s",
     "objectVelocity": "m/s", "areaChange": "-",
+    "contactForce": "N", "drivingAcceleration": "m/s$^2$",
+    "shearRate": "1/s", "wallStress": "Pa", "fluidStress": "Pa",
+    "objectStress": "Pa", "contactStress": "Pa",
+    "N1": "Pa", "N2": "Pa", "contactN": "Pa", "stresslet": "N m",
+    "contactStressX": "N m", "contactStressY": "N m", "contactStressZ": "N m",
 }
 # More objects than these are drawn in grey, with their median
 NAMED_OBJECTS = 10
@@ -24,6 +29,19 @@ def unit_of(name):
     """The unit of a column, for an axis."""
     known = [key for key in UNITS if name.startswith(key)]
     return f"{name} [{UNITS[max(known, key=len)]}]" if known else name
+
+
+def print_means(lines, names):
+    """Prints means of columns, with errors by eight blocks of the second
+    half."""
+    for name in names:
+        values = tables.column(lines, name) or []
+        size = len(values)//16
+        if size:
+            blocks = [statistics.mean(values[-size*(i + 1):len(values)-size*i])
+                      for i in range(8)]
+            print(f"{name} {statistics.mean(blocks):.4g} +- "
+                  f"{statistics.stdev(blocks)/8**0.5:.2g} (second half)")
 
 
 def mean_square_displacement(axes, lines):

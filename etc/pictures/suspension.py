@@ -6,7 +6,7 @@ The flow goes along x. Walls are at the ends of y, or a tube is around an axis
 along x. A place across is the distance from the middle or from the axis."""
 
 import numpy
-from vtkmodules import vtkFiltersCore
+from vtkmodules import vtkCommonDataModel, vtkFiltersCore
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import caseData
@@ -75,17 +75,47 @@ def corners_of(polygons):
     return points[nodes].reshape(-1, 3, 3)
 
 
-def bodies(polygons, length):
-    """Corners of the triangles without walls: objects that are longer along x
-    than the mesh."""
-    corners = corners_of(polygons)
+def extents(polygons):
+    """Names of the objects; for each its ends along x and its largest speed."""
+    points = vtk_to_numpy(polygons.GetPoints().GetData()).astype(float)
+    speed = numpy.linalg.norm(
+        vtk_to_numpy(polygons.GetPointData().GetArray("velocity")), axis=1)
+    polys = polygons.GetPolys()
+    nodes = vtk_to_numpy(polys.GetConnectivityArray())
+    sizes = numpy.diff(vtk_to_numpy(polys.GetOffsetsArray()))
     names, own = numpy.unique(
         vtk_to_numpy(polygons.GetCellData().GetArray("object")),
         return_inverse=True)
-    low, high = numpy.full((2, names.size), [[numpy.inf], [-numpy.inf]])
-    numpy.minimum.at(low, own, corners[:, :, 0].min(axis=1))
-    numpy.maximum.at(high, own, corners[:, :, 0].max(axis=1))
-    return corners[(high - low)[own] <= length]
+    own = numpy.repeat(own, sizes)
+    low, high, fastest = numpy.full(
+        (3, names.size), [[numpy.inf], [-numpy.inf], [0.0]])
+    numpy.minimum.at(low, own, points[nodes, 0])
+    numpy.maximum.at(high, own, points[nodes, 0])
+    numpy.maximum.at(fastest, own, speed[nodes])
+    return names, low, high, fastest
+
+
+def carried(polygons, section):
+    """The surfaces of the objects that the flow carries. Walls that go through
+    the mesh are left out. Other fixed objects are an error: the section is not
+    the same along x."""
+    names, low, high, fastest = extents(polygons)
+    walls = (high - low > section.length) & (fastest == 0)
+    if walls.any() and not section.tube:
+        raise OSError("objects are walls that go through the mesh: -tube")
+    if ((fastest == 0) & ~walls).any():
+        raise OSError("fixed objects stand in the flow: its section is not the "
+                      "same along x")
+    if not walls.any():
+        return polygons
+    object_ids = vtk_to_numpy(polygons.GetCellData().GetArray("object"))
+    rest = vtkCommonDataModel.vtkPolyData()
+    rest.DeepCopy(polygons)
+    rest.BuildLinks()
+    for cell in numpy.flatnonzero(numpy.isin(object_ids, names[walls])):
+        rest.DeleteCell(int(cell))
+    rest.RemoveDeletedCells()
+    return rest
 
 
 def quarters(corners):
@@ -145,7 +175,7 @@ def pieces(polygons, section):
             [(1 - f)*corners[:, 0] + f*corners[:, 1] for f in fractions])
         area = numpy.tile((corners[:, 1] - corners[:, 0])[:, 1]/8, 8)
         return middles, middles[:, 0]*area
-    corners = quarters(quarters(bodies(polygons, section.length)))
+    corners = quarters(quarters(corners_of(polygons)))
     middles = corners.mean(axis=1)
     return middles, middles[:, 0]*normals(corners)[:, 0]
 
@@ -164,9 +194,8 @@ def fractions(polygons, section, ends):
 def free_layer(polygons, section):
     """Mean distance from the walls to the nearest surface, over pieces of the
     length as long as a tenth of it."""
-    points = (
-        vtk_to_numpy(polygons.GetPoints().GetData()).astype(float)
-        if section.flat else bodies(polygons, section.length).reshape(-1, 3))
+    points = vtk_to_numpy(polygons.GetPoints().GetData()).astype(float)
+    points = points[vtk_to_numpy(polygons.GetPolys().GetConnectivityArray())]
     piece = numpy.floor(10*(points[:, 0] - section.start)/section.length) % 10
     place = section.across(points)
     gaps = []

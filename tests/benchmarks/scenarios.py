@@ -44,7 +44,7 @@ FAST = """solvers
     p { solver cartesianMG; tolerance 1e-6; relTol 0; }
     U { solver PBiCGStab; preconditioner DILU; tolerance 1e-6; relTol 0; }
 }
-PISO { nCorrectors 1; pRefCell 0; pRefValue 0; }
+PISO { pRefCell 0; pRefValue 0; }
 """
 
 # Heavy, stiff objects, closed faces and the thesis's load for the weak

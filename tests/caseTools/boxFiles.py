@@ -61,7 +61,7 @@ SOLUTION = """solvers
     p {{ solver PCG; preconditioner DIC; tolerance {}; relTol 0; }}
     U {{ solver PBiCGStab; preconditioner DILU; tolerance {}; relTol 0; {} }}
 }}
-PISO {{ nCorrectors 1; }}
+PISO {{ }}
 """
 
 

@@ -69,7 +69,8 @@ Description
 static int tryStep(Foam::fsi::fsiStep& step, const Foam::fsi::flowSources& s)
 {
     step.advance(s);
-    Info<< "One step was taken. Nothing is written: -dry-run" << nl
+    Info<< "One step was taken. No time is written: -dry-run. The tables of"
+        << " this step are in postProcessing-dry-run" << nl
         << "End\n" << endl;
     return 0;
 }

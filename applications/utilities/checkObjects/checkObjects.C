@@ -102,7 +102,8 @@ static void addOptions()
     timeSelector::addOptions(false);
     argList::addOption
     (
-        "areaTolerance", "change", "Largest change of an area (0.001)"
+        "areaTolerance", "change",
+        "Largest change of an area, in 3D of a volume (0.001)"
     );
     argList::addOption
     (
@@ -129,6 +130,7 @@ int main(int argc, char *argv[])
     warnOfRanks(runTime);
 
     fsi::historyCheck limits;
+    limits.nDims = mesh.nSolutionD();
     limits.areaTolerance = fsi::optionOr<scalar>(args, "areaTolerance", 1e-3);
     limits.maxSpeed = fsi::optionOr<scalar>(args, "maxSpeed", 0);
     limits.minStep = fsi::optionOr<scalar>(args, "minStep", 0);

@@ -96,10 +96,9 @@ Foam::label Foam::fsi::historyCheck::check
     {
         "Objects are lost", mag(everAdded - everAdded[0]), 0
     };
-    const checkedValue area
-    {
-        "Areas are off", history.column("areaChange"), areaTolerance
-    };
+    const bool planar = nDims == 2;
+    const char* const off = planar ? "Areas are off" : "Volumes are off";
+    const checkedValue area{off, history.column("areaChange"), areaTolerance};
     const checkedValue shortness
     {
         "Time steps are short, median over step", median(dt)/dt,
@@ -107,8 +106,9 @@ Foam::label Foam::fsi::historyCheck::check
     };
 
     os  << "Steps: " << history.size() << ", " << max(lost.values)
-        << " lost, area change " << max(area.values)
-        << ", smallest step " << min(dt) << ", median " << median(dt);
+        << " lost, " << (planar ? "area" : "volume") << " change "
+        << max(area.values) << ", smallest step " << min(dt) << ", median "
+        << median(dt);
     label nFaults = history.faults().size();
     if (maxSpeed > 0)
     {

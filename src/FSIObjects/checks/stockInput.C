@@ -130,7 +130,7 @@ static void checkRelaxation(const dictionary& factors)
 static void checkStepControls(const dictionary& controls)
 {
     const wordList levels({"pRefCell", "pRefPoint", "pRefValue"});
-    wordList unused;
+    string unused;
     for (const entry& e : controls)
     {
         const word key(e.keyword());
@@ -153,7 +153,7 @@ static void checkStepControls(const dictionary& controls)
         {
             if (key == name)
             {
-                unused.append(key);
+                unused += ' ' + key;
             }
         }
     }
@@ -163,9 +163,9 @@ static void checkStepControls(const dictionary& controls)
     }
     if (unused.size())
     {
-        Info<< controls.dictName() << " of fvSolution: " << flatOutput(unused)
-            << " have no meaning, a step has passes of its own (entry coupling)"
-            << nl << endl;
+        Info<< "Entries of " << controls.dictName() << " in fvSolution that"
+            << " have no meaning here:" << unused.c_str()
+            << " (entry coupling gives the passes of a step)" << nl << endl;
     }
 }
 

@@ -114,7 +114,7 @@ void Foam::fsi::objectRecord::exchange(copyValues& values)
         vector* each :
         {
             &centroid, &velocity, &angularVelocity, &halfAxes, &longAxis,
-            &shortAxis, &force, &torque, &phases, &unwrapped
+            &shortAxis, &force, &torque, &phases, &unwrapped, &contactForce
         }
     )
     {
@@ -206,7 +206,14 @@ Foam::wordList Foam::fsi::objectRecord::columns
             })
         );
     }
-    names.append(wordList({"unwrappedX", "unwrappedY", "unwrappedZ"}));
+    names.append
+    (
+        wordList
+        ({
+            "unwrappedX", "unwrappedY", "unwrappedZ",
+            "contactForceX", "contactForceY", "contactForceZ"
+        })
+    );
     if (stresses)
     {
         names.append
@@ -246,7 +253,7 @@ void Foam::fsi::objectRecord::write
         row << flowAngle << halfAxes << longAxis << shortAxis
             << inclination << phases << stretch;
     }
-    row << unwrapped;
+    row << unwrapped << contactForce;
     for (direction i = 0; stresses && i < symmTensor::nComponents; ++i)
     {
         row << stresslet[i];

@@ -92,7 +92,8 @@ Foam::wordList Foam::fsi::stepRecord::columns()
         "removed", "fed", "maxSpeed",
         "fluidVelocityX", "fluidVelocityY", "fluidVelocityZ",
         "objectVelocityX", "objectVelocityY", "objectVelocityZ",
-        "timeError"
+        "timeError",
+        "drivingAccelerationX", "drivingAccelerationY", "drivingAccelerationZ"
     });
 }
 
@@ -108,7 +109,7 @@ void Foam::fsi::stepRecord::write(csvTable& table) const
         row << s;
     }
     row << removed << fed << maxSpeed << fluidVelocity << objectVelocity
-        << timeError;
+        << timeError << drivingAcceleration;
 }
 
 

@@ -71,9 +71,12 @@ Foam::fsi::stepOutput::stepOutput(fsiObjects& objects)
         dimensionedScalar("value", dimless, -1)
     )
 {
-    if (writer_.stressesWanted())
+    if (writer_.stressesWanted() || !objects.bodies().onlyMembranes())
     {
         objects_.contact().keepForces();
+    }
+    if (writer_.stressesWanted())
+    {
         rheology_.reset(new rheology(objects_));
     }
     if (objects_.frame().active())
@@ -119,6 +122,7 @@ void Foam::fsi::stepOutput::report(const timeError& error)
     record.rebuilds = levelSet.nRebuilds();
 
     record.timeError = error.value();
+    record.drivingAcceleration = objects_.driving().acceleration();
     stepTimer& timer = objects_.timer();
     timer.endStep(time.value(), time.deltaTValue(), time.endTime().value());
     record.seconds = timer.seconds();
@@ -151,12 +155,15 @@ void Foam::fsi::stepOutput::writeRows(const vectorField& hydrodynamicForce)
     );
     const surfaceSet& surfaces = bodies.surfaces();
     const label nOwned = surfaces.pointStart()[bodies.size()];
+    vectorField& pushes = objects_.contact().forces();
+    pushes.setSize(surfaces.points().size(), Zero);
     for (label nodei = 0; nodei < nOwned; ++nodei)
     {
         objectRecord& r = records[surfaces.pointObject()[nodei]];
         const vector& force = hydrodynamicForce[nodei];
         r.force += force;
         r.torque += (surfaces.points()[nodei] - r.centroid) ^ force;
+        r.contactForce += pushes[nodei];
     }
     if (rheology_.valid())
     {

@@ -204,7 +204,7 @@ void Foam::fsi::packedPlacement::shake
             }
         }
         sweep(space, container, first, sizes);
-        if (grows_ && nFull(space, first) == number)
+        if (grows_ && n == number && leastScale(space, first) >= 1)
         {
             return;
         }
@@ -212,18 +212,18 @@ void Foam::fsi::packedPlacement::shake
 }
 
 
-Foam::label Foam::fsi::packedPlacement::nFull
+Foam::scalar Foam::fsi::packedPlacement::leastScale
 (
     const packing& space,
     const label first
-) const
+)
 {
-    label number = 0;
+    scalar least = 1;
     for (label objecti = first; objecti < space.size(); ++objecti)
     {
-        number += space[objecti].scale >= 1;
+        least = min(least, space[objecti].scale);
     }
-    return number;
+    return least;
 }
 
 
@@ -270,15 +270,26 @@ void Foam::fsi::packedPlacement::place(packing& space)
         space.insert(newObject(shapes[i], centres[i], rotation()));
     }
     shake(space, container, first, shapes);
-    const label found = nFull(space, first);
+    const label found = space.size() - first;
+    const scalar least = leastScale(space, first);
+    OStringStream reason;
     if (found < number)
     {
-        OStringStream os;
+        reason << "there is no room for more than " << found;
         if (grows_)
         {
-            os  << " of full size after " << sweeps_ << " sweeps (sweeps)";
+            reason << ", at " << firstScale << " of their size (start small)";
         }
-        lackRoom(space, number, found, os.str());
+    }
+    else if (least < 1)
+    {
+        reason
+            << "after " << sweeps_ << " sweeps (sweeps) the smallest of them"
+            << " had grown only to " << least << " of its size (start small)";
+    }
+    if (!reason.str().empty())
+    {
+        lackRoom(space, number, reason.str());
     }
 }
 

@@ -82,11 +82,12 @@ void Foam::fsi::randomPlacement::place(packing& space)
                 checkFits(space.placed(object), container);
             }
             OStringStream os;
-            os  << " found in " << maxAttempts_ << " attempts (maxAttempts): "
-                << nConflicts << " were too near to other objects, "
+            os  << "there is no room for more than " << i << " found in "
+                << maxAttempts_ << " attempts (maxAttempts): " << nConflicts
+                << " were too near to other objects, "
                 << maxAttempts_ - nConflicts << " to the walls or the ends of"
                 << " the region";
-            lackRoom(space, number, i, os.str());
+            lackRoom(space, number, os.str());
         }
         space.insert(object);
     }

@@ -64,17 +64,23 @@ Foam::boundBox Foam::fsi::regionPlacement::readRegion
     (
         readFinite(region, "min"), readFinite(region, "max")
     );
-    if
-    (
-        !(sizeOf(box, nDims()) > 0)
-     || !closedSurface::near(box, space.domain(), 0, nDims())
-    )
+    const boundBox& domain = space.domain();
+    bool inside = true;
+    for (direction d = 0; d < nDims(); ++d)
+    {
+        const scalar rounding = 1e-6*domain.span()[d];
+        inside =
+            inside
+         && box.min()[d] >= domain.min()[d] - rounding
+         && box.max()[d] <= domain.max()[d] + rounding;
+    }
+    if (!(sizeOf(box, nDims()) > 0) || !inside)
     {
         FatalIOErrorInFunction(region)
             << "The box of entry 'region' in placement " << name() << " is "
             << box.min() << ' ' << box.max()
-            << " but must have min < max and meet the domain "
-            << space.domain().min() << ' ' << space.domain().max()
+            << " but must have min < max and lie in the domain "
+            << domain.min() << ' ' << domain.max()
             << exit(FatalIOError);
     }
     return box;

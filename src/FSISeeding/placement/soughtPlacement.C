@@ -211,15 +211,13 @@ void Foam::fsi::soughtPlacement::lackRoom
 (
     const packing& space,
     const label number,
-    const label found,
-    const string& details
+    const string& reason
 ) const
 {
     FatalIOErrorInFunction(dict())
         << "Entry '" << numberKey() << "' of placement " << name()
         << " asks for " << number << " objects of shape "
-        << mix_.names(space).c_str() << " but there is no room for more than "
-        << found << details.c_str() << nl
+        << mix_.names(space).c_str() << " but " << reason.c_str() << nl
         << "Take fewer objects, a smaller minimumGap (" << minimumGap()
         << " m), a smaller wallGap (" << wallGap() << " m)"
         << (dict().found("region") ? ", a larger region" : "")

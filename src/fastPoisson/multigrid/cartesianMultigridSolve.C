@@ -44,7 +44,7 @@ bool Foam::fsi::cartesianMultigrid::isExact
         result.initialResidual() = max(result.initialResidual(), change);
     }
     result.finalResidual() = max(result.finalResidual(), change*fall);
-    return change*fall < roundingError;
+    return change*fall < roundingError && result.checkConvergence(GREAT, 0);
 }
 
 
@@ -71,7 +71,7 @@ void Foam::fsi::cartesianMultigrid::iterate
         if
         (
             result.checkSingularity(mag(pAp)/factor)
-         || pAp <= nothing*mag(rz)
+         || (pAp <= nothing*mag(rz) && result.checkConvergence(GREAT, 0))
         )
         {
             break;

@@ -30,7 +30,7 @@ FAST = """solvers
     p { solver cartesianMG; tolerance 1e-6; relTol 0; }
     U { solver PBiCGStab; preconditioner DILU; tolerance 1e-6; relTol 0; }
 }
-PISO { nCorrectors 1; }
+PISO {}
 """
 
 # Ranks in each direction

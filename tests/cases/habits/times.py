@@ -70,7 +70,7 @@ def dry_run(report, folder):
     before = sorted(os.listdir(folder))
     log = case.run("fsiPisoFoam", "-dry-run")
     left = set(os.listdir(folder)) - set(before)
-    report.check("habits.dryRun", "Nothing is written" in log and
+    report.check("habits.dryRun", "No time is written" in log and
                  left <= {"log.fsiPisoFoam", "postProcessing-dry-run"},
                  f"{left}")
 

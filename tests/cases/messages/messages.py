@@ -30,7 +30,7 @@ SOLVERS = """solvers
     p { solver cartesianMG; tolerance 1e-6; relTol 0; gatherCells 500; }
     U { solver PBiCGStab; preconditioner DILU; tolerance 1e-6; relTol 0; }
 }
-PISO { nCorrectors 1; }
+PISO {}
 """
 
 

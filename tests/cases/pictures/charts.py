@@ -64,7 +64,7 @@ def check_plots(report, case):
     status, names, text = plot(case, "-column", "colour")
     report.check("a column that there is not is refused, with those there are",
                  status == 1 and "colour" in text and "forceX" in text
-                 and "elasticEnergy" in text, text)
+                 and "elasticEnergy" in text and " D msd;" in text, text)
     status, names, text = plot(case, "-column", "D", "-objects", "a")
     report.check("objects that are no ids are refused",
                  status == 1 and "takes ids" in text, text)
@@ -74,6 +74,25 @@ def check_plots(report, case):
     status, names, text = plot(os.path.dirname(case))
     report.check("a folder without tables is refused",
                  status == 1 and "global.csv" in text, text)
+
+
+def check_rheology(report, case, folder):
+    """The case with a table of the stress: columns of it, and each viscosity
+    once."""
+    shutil.copytree(os.path.join(case, "postProcessing"),
+                    os.path.join(folder, "postProcessing"))
+    with open(os.path.join(folder, "postProcessing/fsiObjects/0/rheology.csv"),
+              "w", encoding="ascii") as stream:
+        stream.write("time,wallViscosity,viscosity,N1\n" + "".join(
+            f"{i},1.5,{1.4 + 0.1*(i % 2)},{-0.1*i}\n" for i in range(32)))
+    status, names, text = plot(folder, "-column", "N1")
+    report.check("columns of rheology.csv",
+                 (status, names) == (0, ["N1.png"]), text)
+    text = plot(folder)[2]
+    report.check("each viscosity is printed once",
+                 text.count("wallViscosity 1.5 +- 0 ") == 1
+                 and text.count("\nviscosity 1.45 +-") == 1
+                 and "rheology.png" in text, text)
 
 
 def check_monitor(report, case, folder):

@@ -185,6 +185,7 @@ def main(folder):
     check_shape_names(report, case)
     check_animations(report, case)
     charts.check_plots(report, case)
+    charts.check_rheology(report, case, os.path.join(folder, "rheology"))
     charts.check_monitor(report, case, os.path.join(folder, "stub"))
     charts.check_tables(report, os.path.join(folder, "tables"))
 

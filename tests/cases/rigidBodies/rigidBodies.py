@@ -202,6 +202,57 @@ def incline(report, folder):
         for key in ("velocityX", "velocityY", "angularVelocityZ")), other)
 
 
+def pile(folder, name, *parts):
+    """The rows of objects.csv at the end: four discs lie on a fixed bar, one on
+    the floor."""
+    case = fsiCase.Case(
+        os.path.join(folder, name), box=(0, 0, 2, 1.25), cells=(64, 40),
+        density=1000, viscosity=0.01, gravity="(0 -1 0)", shapes="""
+disc { shape { type circle; radius 0.15; }
+       material { type rigid; density 2000; } }
+bar  { shape { type polygon; file "constant/bar.csv"; }
+       material { type rigid; density 1000; } motion { type fixed; } }
+""", placements="bar { type inPlace; shape bar; } discs { type listed; shape "
+        "disc; objects ("
+        + " ".join(f"{{ centre ({x} {y} 0); }}" for x, y in (
+            (0.3, 0.62), (0.83, 0.62), (1.17, 0.62), (1, 0.9), (1.8, 0.16)))
+        + "); }", deltaT=0.02, endTime=6, writeInterval=300)
+    case.text("constant/bar.csv", "0.1 0.35\n1.4 0.35\n1.4 0.45\n0.1 0.45\n")
+    case.set_up()
+    ranks = case.decompose(*parts) if parts else 1
+    case.run("fsiPisoFoam", ranks=ranks)
+    rows = results.table(case.path, "objects.csv")
+    return {row["object"]: row for row in rows
+            if row["time"] == rows[-1]["time"]}, case.values
+
+
+def contact_force(report, folder):
+    """Contact and fluid carry what lies on a bar, and the floor the rest. The
+    bar is on all ranks of three."""
+    rows, values = pile(folder, "pile")
+    thickness = values["box"][2]/values["cells"][0]
+    weight = math.pi*0.15**2*thickness*1000
+    bar = rows.pop(0)
+    carried = -bar["contactForceY"] - bar["forceY"]
+    report.check("the bar carries four discs",
+                 abs(carried/weight - 4) < 0.01, carried/weight)
+    total = bar["contactForceY"] + sum(
+        row["contactForceY"] for row in rows.values())
+    report.check("the floor carries one disc", abs(total/weight - 1) < 0.01,
+                 total/weight)
+    between = rows[2]["contactForceX"]
+    report.check("discs under a disc are pushed apart",
+                 between < -0.3*weight
+                 and abs(between + rows[3]["contactForceX"]) < 0.02*weight,
+                 between/weight)
+    rows[0] = bar
+    for parts in ((3, 1), (2, 2)):
+        other, _ = pile(folder, "pileOnRanks", *parts)
+        error = max(abs(other[o][key] - rows[o][key]) for o in rows
+                    for key in ("contactForceX", "contactForceY"))/weight
+        report.check(f"contact forces on {parts} ranks", error < 1e-3, error)
+
+
 def main(folder):
     """The checks."""
     report = fsiCase.Report()
@@ -210,6 +261,7 @@ def main(folder):
         report.attempt("restart", restarted, report, folder, whole)
     report.attempt("given loads", given_loads, report, folder)
     report.attempt("incline", incline, report, folder)
+    report.attempt("contact force", contact_force, report, folder)
     for name, shape, density in (("light", CIRCLE, 0.1), ("star", STAR, 0.3)):
         report.attempt(name, rests, report, folder, name, shape,
                        f"type rigid; density {density};")

@@ -96,11 +96,14 @@ def check_seeding(report, folder):
 def check_profiles(report, name, case):
     """Radius and centre of the tube, and the fraction of the membranes. The
     rings of the wall are polygons of 24 corners."""
-    text = subprocess.run(
-        [os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                      "../../../etc/profiles"), case.path, "-tube", "vessel"],
-        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-        check=False).stdout
+    command = [os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                            "../../../etc/profiles"), case.path]
+    text, without = (subprocess.run(
+        command + options, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        text=True, check=False).stdout
+                     for options in (["-tube", "vessel"], []))
+    report.check(f"{name}: etc/profiles without the tube", "-tube" in without,
+                 without)
     found = re.search(r"R,Y,Z (\S+),(\S+),(\S+)\n", text)
     share = re.search(r"tube haematocrit +(\S+)\n", text)
     area = 12*math.sin(2*math.pi/24)

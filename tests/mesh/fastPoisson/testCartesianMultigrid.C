@@ -219,6 +219,30 @@ TEST(cartesianMultigrid, velocityErrorDoesNotDependOnThePressure)
 }
 
 
+TEST(cartesianMultigrid, roundingErrorsOfAFlowHaveConverged)
+{
+    // Their residual does not fall to the tolerance
+    latticeMesh mesh(box(32, 32));
+    poissonProblem problem(mesh, {});
+    tmp<fvScalarMatrix> eqn(problem.completeEquation());
+    cartesianMultigrid multigrid(mesh.mesh(), smallGather());
+    multigrid.update(eqn(), boundaryCoeffsOf(eqn()), problem.interfaces());
+    cartesianMultigrid::loopControls controls;
+    controls.tolerance = 1e-12;
+    for (const scalar size : {1e-20, 1.0})
+    {
+        scalarField x(problem.exact().size(), Zero);
+        controls.energy = 1;
+        controls.maxIter = 2;
+        const solverPerformance result
+        (
+            multigrid.solve(x, size*randomField(mesh, 6), "p", controls)
+        );
+        EXPECT_EQ(result.converged(), size < 1) << result.finalResidual();
+    }
+}
+
+
 TEST(cartesianMultigrid, refusesAnUnknownCycle)
 {
     NEEDS_THROWN_ERRORS

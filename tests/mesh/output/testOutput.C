@@ -227,7 +227,7 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
     ASSERT_EQ(objectRows.size(), 1u + 2*5);
     for (const auto& row : objectRows)
     {
-        EXPECT_EQ(row.size(), 28u);
+        EXPECT_EQ(row.size(), 31u);
     }
     EXPECT_EQ(objectRows[0][0], "time");
     EXPECT_EQ(objectRows[6][0], "0.75");
@@ -237,8 +237,8 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
 
     const auto globalRows = readTable(folder/"global.csv");
     ASSERT_EQ(globalRows.size(), 1u + 3);
-    EXPECT_EQ(globalRows[0].size(), 27u);
-    EXPECT_EQ(globalRows[3].size(), 27u);
+    EXPECT_EQ(globalRows[0].size(), 30u);
+    EXPECT_EQ(globalRows[3].size(), 30u);
     EXPECT_EQ(globalRows[3][0], "1");
 
     const std::string series = readText(folder/"surfaces.vtp.series");

@@ -66,8 +66,8 @@ TEST(Placement, refusesObjectsOutsideTheDomain)
     );
     expectPieces
     (
-        errorOf("type lattice; shape disc; counts (30 1 1); jitter 0;"
-            "region { min (1.5 0 0); max (3 1 0); }"),
+        errorOf("type lattice; shape disc; counts (15 1 1); jitter 0;"
+            "region { min (0 0 0); max (2 0.02 0); }"),
         {"not in the domain", "and", "more", "'counts'"}
     );
 }
@@ -140,6 +140,14 @@ TEST(Placement, saysHowManyFit)
         errorOf("type packed; shape disc; number 1000;"),
         {"'number'", "1000", "no room for more than"}
     );
+    expectPieces
+    (
+        errorOf
+        (
+            "type packed; shape disc; areaFraction 0.6; start small; sweeps 20;"
+        ),
+        {"'areaFraction'", "20 sweeps", "grown only to 0.", "of its size"}
+    );
 }
 
 
@@ -180,6 +188,19 @@ TEST(Placement, refusesWrongEntries)
         ),
         {"'region'", "min < max"}
     );
+    for (const std::string type : {"random", "packed"})
+    {
+        const std::string text =
+            "type " + type + "; shape disc; number 1;"
+            "region { min (1.5 0 0); max (3 1 0); }";
+        for (const vector& period : {vector(0, 0, 0), vector(2, 0, 0)})
+        {
+            expectPieces
+            (
+                errorOf(text, period), {"'region'", "lie in the domain"}
+            );
+        }
+    }
     expectPieces
     (
         errorOf("type lattice; shape disc; counts (0 1 1);"), {"'counts'"}
