@@ -49,8 +49,9 @@ static labelList crossedObjects(const population& objects)
 }
 
 
-//- Print how many nodes of membranes are inside other objects
-static void reportInside(const surfaceSet& surfaces, const vector& period)
+//- Print how many nodes are inside membranes or, of membranes, inside other
+//  objects. Is there one?
+static bool reportInside(const surfaceSet& surfaces, const vector& period)
 {
     label nNodes = 0;
     for (label objecti = 0; objecti < surfaces.size(); ++objecti)
@@ -61,11 +62,20 @@ static void reportInside(const surfaceSet& surfaces, const vector& period)
             nNodes += surfaces.pointStart()[objecti + 1] - start;
         }
     }
-    if (nNodes > 0)
+    if (nNodes == 0)
     {
-        Info<< "Nodes of membranes inside other objects: "
-            << nodesInside(surfaces, period) << " of " << nNodes << endl;
+        return false;
     }
+    const insideCounts inside(nodesInside(surfaces, period));
+    Info<< "Nodes of membranes inside other objects: " << inside.ofMembranes
+        << " of " << nNodes;
+    if (inside.ofOthers > 0)
+    {
+        Info<< ", nodes of other objects inside membranes: "
+            << inside.ofOthers;
+    }
+    Info<< endl;
+    return inside.ofMembranes + inside.ofOthers > 0;
 }
 
 } // End namespace fsi
@@ -180,7 +190,7 @@ void Foam::fsi::objectWriter::writeShapes
 {
     if (globalTable_.valid())
     {
-        reportInside(objects.surfaces(), period);
+        overlaps_ = reportInside(objects.surfaces(), period);
         crossed_ = crossedObjects(objects);
         crossedAt_ = time;
         if (crossed_.size())

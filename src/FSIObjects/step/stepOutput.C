@@ -262,6 +262,10 @@ void Foam::fsi::stepOutput::write
     (
         mesh.time().value(), all, objects_.images().period()
     );
+    if (writer_.overlaps())
+    {
+        objects_.log().warned("written time with objects inside others");
+    }
     all.write();
     objects_.write();
     error.write();

@@ -4,6 +4,7 @@
 #include "boxPairs.H"
 #include "DynamicList.H"
 #include "surfaceWinding.H"
+#include "UIndirectList.H"
 
 #include <memory>
 #include <utility>
@@ -121,7 +122,7 @@ public:
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::fsi::nodesInside
+Foam::fsi::insideCounts Foam::fsi::nodesInside
 (
     const surfaceSet& surfaces,
     const vector& period
@@ -144,17 +145,26 @@ Foam::label Foam::fsi::nodesInside
         }
         return triangles[objecti]->contains(x);
     };
+    DynamicList<label> within;
     const auto mark = [&](const label a, const label b, const vector& shift)
     {
-        for
-        (
-            label i = surfaces.pointStart()[a];
-            i < surfaces.pointStart()[a + 1] && !surfaces.hasWalls(a);
-            ++i
-        )
+        if (surfaces.hasWalls(a) && surfaces.hasWalls(b))
         {
-            const point x(surfaces.points()[i] + shift);
-            found[i] = found[i] || inside(b, x);
+            return;
+        }
+        within.clear();
+        const label start = surfaces.pointStart()[a];
+        const label end = surfaces.pointStart()[a + 1];
+        for (label i = start; i < end; ++i)
+        {
+            if (inside(b, surfaces.points()[i] + shift))
+            {
+                within.append(i);
+            }
+        }
+        if (!surfaces.hasWalls(a) || within.size() < end - start)
+        {
+            UIndirectList<bool>(found, within) = true;
         }
     };
     forAll(boxes, objecti)
@@ -166,12 +176,13 @@ Foam::label Foam::fsi::nodesInside
         mark(pair.first, pair.second, pair.shift);
         mark(pair.second, pair.first, -pair.shift);
     }
-    label n = 0;
-    for (const bool is : found)
+    insideCounts counts;
+    forAll(found, i)
     {
-        n += is;
+        const bool walls = surfaces.hasWalls(surfaces.pointObject()[i]);
+        (walls ? counts.ofOthers : counts.ofMembranes) += found[i];
     }
-    return n;
+    return counts;
 }
 
 

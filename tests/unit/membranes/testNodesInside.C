@@ -38,9 +38,26 @@ TEST(nodesInside, areThoseOfMembranesInOtherObjects)
     appendSphere(surfaces, centre, 0.9, 5);
     const label n = expected(surfaces, centre, 0.9);
     EXPECT_GT(n, 10);
-    EXPECT_EQ(nodesInside(surfaces, vector::zero), 0);
+    EXPECT_EQ(nodesInside(surfaces, vector::zero).ofMembranes, 0);
     surfaces.setImmersed(0, true);
-    EXPECT_EQ(nodesInside(surfaces, vector::zero), n);
+    const insideCounts counts(nodesInside(surfaces, vector::zero));
+    EXPECT_EQ(counts.ofMembranes, n);
+    EXPECT_GT(counts.ofOthers, 10);
+}
+
+
+TEST(nodesInside, areThoseOfBodiesInMembranes)
+{
+    // The second is the membrane, the third one its nucleus
+    surfaceSet surfaces(3);
+    const point centre(0.61, 0.83, -0.47);
+    appendSphere(surfaces, point(0, 0, 0), 1, 3);
+    appendSphere(surfaces, centre, 0.9, 5);
+    appendSphere(surfaces, centre + vector(0.5, 0.13, 0.07), 0.2, 2);
+    surfaces.setImmersed(1, true);
+    const insideCounts counts(nodesInside(surfaces, vector::zero));
+    EXPECT_EQ(counts.ofOthers, expected(surfaces, centre, 0.9));
+    EXPECT_GT(counts.ofMembranes, 10);
 }
 
 
@@ -54,9 +71,10 @@ TEST(nodesInside, areFoundAcrossCyclicSides)
     surfaces.setImmersed(0, true);
     EXPECT_EQ
     (
-        nodesInside(surfaces, period), expected(surfaces, centre, 0.9)
+        nodesInside(surfaces, period).ofMembranes,
+        expected(surfaces, centre, 0.9)
     );
-    EXPECT_EQ(nodesInside(surfaces, vector(5, 0, 0)), 0);
+    EXPECT_EQ(nodesInside(surfaces, vector(5, 0, 0)).ofMembranes, 0);
 }
 
 

@@ -70,9 +70,9 @@ TEST(outlines, nodesInOtherOutlines)
         n += mag(p - shift) < radius*std::cos(pi/50);
     }
     EXPECT_GT(n, 5);
-    EXPECT_EQ(nodesInside(surfaces, vector::zero), 0);
+    EXPECT_EQ(nodesInside(surfaces, vector::zero).ofMembranes, 0);
     surfaces.setImmersed(0, true);
-    EXPECT_EQ(nodesInside(surfaces, vector::zero), n);
+    EXPECT_EQ(nodesInside(surfaces, vector::zero).ofMembranes, n);
 }
 
 
