@@ -44,10 +44,11 @@ def print_means(lines, names):
                   f"{statistics.stdev(blocks)/8**0.5:.2g} (second half)")
 
 
-def mean_square_displacement(axes, lines):
-    """Mean of |x - x0|^2 over the objects that were there at first."""
+def mean_square_displacement(axes, lines, name="msd"):
+    """Mean of |x - x0|^2 over the objects that were there at first; of msdX,
+    msdY and msdZ in one direction."""
     directions = [n for n in tables.columns(lines)
-                  if n.startswith("unwrapped")]
+                  if n.startswith("unwrapped" + name[3:])]
     start = {}
     for line in lines:
         start.setdefault(line["object"], line)

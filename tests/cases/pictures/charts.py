@@ -54,17 +54,19 @@ def check_plots(report, case):
                  status == 0 and names == ["deformation.png", "velocity.png",
                                            "contacts.png", "maxSpeed.png"],
                  text)
-    status, names, text = plot(case, "-column", "velocity,msd", "-x",
+    status, names, text = plot(case, "-column", "velocity,msd,msdY", "-x",
                                "centroidX")
     report.check("columns over another one, mean-square displacement",
-                 status == 0 and names == ["velocity.png", "msd.png"], text)
+                 status == 0 and names
+                 == ["velocity.png", "msd.png", "msdY.png"], text)
     status, names, text = plot(case, "-column", "D", "-x", "colour")
     report.check("another column that there is not is refused",
                  status == 1 and "colour" in text and "forceX" in text, text)
     status, names, text = plot(case, "-column", "colour")
     report.check("a column that there is not is refused, with those there are",
                  status == 1 and "colour" in text and "forceX" in text
-                 and "elasticEnergy" in text and " D msd;" in text, text)
+                 and "elasticEnergy" in text
+                 and " D msd msdX msdY msdZ;" in text, text)
     status, names, text = plot(case, "-column", "D", "-objects", "a")
     report.check("objects that are no ids are refused",
                  status == 1 and "takes ids" in text, text)
