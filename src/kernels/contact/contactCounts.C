@@ -4,6 +4,17 @@
 
 #include <algorithm>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Part of a range that ranks do not agree about
+constexpr Foam::scalar roundOff = 1e-6;
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool Foam::fsi::contactCounts::here
@@ -58,7 +69,8 @@ void Foam::fsi::contactCounts::count
             limited && pair.other != own
           ? problem.range/pair.stretch
           : problem.range;
-        if (pair.gap < range)
+        // A range that follows its gap is equal to it but for round-off
+        if (pair.gap < (1 - roundOff)*range)
         {
             touching_.append
             (
