@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What etc/render reads of a case: VTK series of the objects, and the mesh."""
 
+import functools
 import glob
 import gzip
 import json
@@ -42,15 +43,21 @@ def files_of(case, time, field):
     return found
 
 
+@functools.lru_cache(maxsize=None)
+def boundary_of(path):
+    """The text of a field's file from its boundary values on."""
+    opened = gzip.open if path.endswith(".gz") else open
+    with opened(path, "rt", encoding="latin-1") as stream:
+        text = stream.read()
+    return text[text.rfind("boundaryField"):]
+
+
 def wall_velocity(case, time, patch):
     """Velocity along x of a wall, from the fields that a run has written."""
     for path in files_of(case, time, "U"):
-        opened = gzip.open if path.endswith(".gz") else open
-        with opened(path, "rt", encoding="latin-1") as stream:
-            text = stream.read()
         entries = re.search(
             r"\n\s*" + re.escape(patch) + r"\s*\{(.*?)\n    \}",
-            text[text.rfind("boundaryField"):], re.S)
+            boundary_of(path), re.S)
         values = re.search(r"\bvalue\s+(.*?)\(\s*([^\s)]*)",
                            entries.group(1) if entries else "", re.S)
         if not values:
@@ -161,53 +168,44 @@ class Fluid:
         reader.SetPatchArrayStatus(part, 1)
         return reader
 
-    def flat(self):
-        """Is there no mesh, or one that is one cell thick in z?"""
+    def patches(self, kind):
+        """Names and boxes of the patches of a type."""
         if not self.reader:
-            return True
-        reader = self.open("group/empty", not self.has_mesh)
+            return []
+        reader = self.open("group/" + kind, not self.has_mesh)
         reader.DisableAllCellArrays()
         reader.Update()
-        patches = reader.GetOutput().NewIterator()
-        return not patches.IsDoneWithTraversal()
+        found = []
+        blocks = reader.GetOutput().NewIterator()
+        while not blocks.IsDoneWithTraversal():
+            found.append((
+                blocks.GetCurrentMetaData().Get(
+                    vtkCommonDataModel.vtkCompositeDataSet.NAME()),
+                blocks.GetCurrentDataObject().GetBounds()))
+            blocks.GoToNextItem()
+        return found
+
+    def flat(self):
+        """Is there no mesh, or one that is one cell thick in z?"""
+        return not self.reader or bool(self.patches("empty"))
 
     def periods(self, bounds):
         """Length of the mesh in each direction, 0 where no cyclic patches join
         it."""
         periods = [0, 0, 0]
-        if self.reader:
-            reader = self.open("group/cyclic", not self.has_mesh)
-            reader.DisableAllCellArrays()
-            reader.Update()
-            patches = reader.GetOutput().NewIterator()
-            while not patches.IsDoneWithTraversal():
-                box = patches.GetCurrentDataObject().GetBounds()
-                for i in range(3):
-                    length = bounds[2*i + 1] - bounds[2*i]
-                    if abs(box[2*i + 1] - box[2*i]) < 1e-5*length:
-                        periods[i] = length
-                patches.GoToNextItem()
+        for _, box in self.patches("cyclic"):
+            for i in range(3):
+                length = bounds[2*i + 1] - bounds[2*i]
+                if abs(box[2*i + 1] - box[2*i]) < 1e-5*length:
+                    periods[i] = length
         return periods
 
     def walls(self, axis, bounds):
         """Names of the walls at the lower and at the upper end of an axis."""
-        names = [[], []]
-        reader = self.open("group/wall", not self.has_mesh)
-        reader.DisableAllCellArrays()
-        reader.Update()
-        patches = reader.GetOutput().NewIterator()
-        while not patches.IsDoneWithTraversal():
-            box = patches.GetCurrentDataObject().GetBounds()
-            name = patches.GetCurrentMetaData().Get(
-                vtkCommonDataModel.vtkCompositeDataSet.NAME())
-            for end in range(2):
-                at = bounds[2*axis + end]
-                length = bounds[2*axis + 1] - bounds[2*axis]
-                if max(abs(box[2*axis] - at),
-                       abs(box[2*axis + 1] - at)) < 1e-5*length:
-                    names[end].append(name)
-            patches.GoToNextItem()
-        return names
+        low, high = bounds[2*axis:2*axis + 2]
+        return [[name for name, box in self.patches("wall")
+                 if max(abs(v - at) for v in box[2*axis:2*axis + 2])
+                 < 1e-5*(high - low)] for at in (low, high)]
 
     def bounds(self, time):
         """The box of the mesh."""

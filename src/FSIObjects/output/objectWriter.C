@@ -181,16 +181,17 @@ void Foam::fsi::objectWriter::writeRows
 }
 
 
-void Foam::fsi::objectWriter::writeShapes
+bool Foam::fsi::objectWriter::writeShapes
 (
     const scalar time,
     const population& objects,
     const vector& period
 )
 {
+    bool overlaps = false;
     if (globalTable_.valid())
     {
-        overlaps_ = reportInside(objects.surfaces(), period);
+        overlaps = reportInside(objects.surfaces(), period);
         crossed_ = crossedObjects(objects);
         crossedAt_ = time;
         if (crossed_.size())
@@ -210,6 +211,7 @@ void Foam::fsi::objectWriter::writeShapes
     {
         springSeries_().write(springPolyData(objects), time);
     }
+    return overlaps;
 }
 
 

@@ -258,11 +258,11 @@ void Foam::fsi::stepOutput::write
     setFields();
     autoPtr<population> storage;
     const population& all = objects_.bodies().whole(storage);
-    writer_.writeShapes
+    const bool overlaps = writer_.writeShapes
     (
         mesh.time().value(), all, objects_.images().period()
     );
-    if (writer_.overlaps())
+    if (overlaps)
     {
         objects_.log().warned("written time with objects inside others");
     }

@@ -184,17 +184,8 @@ Foam::scalar Foam::fsi::membraneForces::largestRatio
     {
         scalar half, ofArea;
         t.squares(x, half, ofArea);
-        // Few triangles have more than those before: no roots for the others
-        const bool more =
-            ofArea >= 1
-          ? 4*sqr(half) > ofArea*sqr(most + 1/most)
-          : half > most || sqr(most) + ofArea < 2*half*most;
-        if (more)
-        {
-            const scalar larger =
-                half + sqrt(max(sqr(half) - ofArea, scalar(0)));
-            most = max(most, larger/sqrt(max(ofArea, scalar(1))));
-        }
+        const scalar larger = half + sqrt(max(sqr(half) - ofArea, scalar(0)));
+        most = max(most, larger/sqrt(max(ofArea, scalar(1))));
     }
     return most;
 }
