@@ -83,10 +83,7 @@ Foam::fsi::immersedMembranes::immersedMembranes
     }
     if (any)
     {
-        defence_.reset
-        (
-            new wallDefence(bodies_, geometry.grid(), objects.levelSet())
-        );
+        defence_.reset(new wallDefence(objects));
         faces_.reset(new faceLattice(geometry.grid()));
         transfer_.reset(new staggeredTransfer(faces_->lattice(), width_));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "membraneDefence.H"
+#include "membraneGapLimit.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -37,7 +38,11 @@ void Foam::fsi::membraneDefence::limit
     vectorField ofNodes;
     bodies_.layout().toSurface(v, ofNodes);
     vectorField changes(ofNodes.size(), Zero);
-    gaps_.addChanges(surfaces, deltaT, least_, ofNodes, changes);
+    const membraneGapLimit gapLimit(surfaces, gaps_.pairs(), deltaT, least_);
+    gapLimit.addChanges(ofNodes, changes);
+    vectorField changed(ofNodes + changes);
+    gapLimit.giveWay(changed);
+    changes = changed - ofNodes;
     nodeLayout::groupNodal inGroups;
     bodies_.layout().toGroups(changes, inGroups);
     nodeLayout::add(inGroups, v);

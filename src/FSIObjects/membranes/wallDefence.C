@@ -108,6 +108,7 @@ void Foam::fsi::wallDefence::find
     const scalar deltaT
 )
 {
+    deltaT_ = deltaT;
     if (bodies_.onlyMembranes())
     {
         return;
@@ -175,6 +176,39 @@ void Foam::fsi::wallDefence::addFaded
 }
 
 
+void Foam::fsi::wallDefence::limitAtSides
+(
+    const label groupi,
+    Eigen::MatrixXd& v
+) const
+{
+    const label nDims = grid_.nDims();
+    const scalar least = smallest*grid_.spacing();
+    const Eigen::MatrixXd& x = bodies_.groups()[groupi].positions();
+    for (label sidei = 0; sidei < 2*nDims; ++sidei)
+    {
+        if (sides_[sidei] != domainSides::WALL || sides_.isOpen(sidei))
+        {
+            continue;
+        }
+        const direction d = sidei/2;
+        const scalar inward = sidei % 2 ? -1 : 1;
+        const boundBox& box = sides_.bounds();
+        const scalar side = sidei % 2 ? box.max()[d] : box.min()[d];
+        for (Eigen::Index column = d; column < v.cols(); column += nDims)
+        {
+            const Eigen::ArrayXd gap(inward*(x.col(column).array() - side));
+            v.col(column).array() +=
+                inward
+               *(
+                    (gap.min(least) - gap)/deltaT_
+                  - inward*v.col(column).array()
+                ).max(0);
+        }
+    }
+}
+
+
 void Foam::fsi::wallDefence::limit
 (
     const label groupi,
@@ -199,6 +233,7 @@ void Foam::fsi::wallDefence::limit
         );
         ofCopy += lacking.asDiagonal()*n;
     }
+    limitAtSides(groupi, v);
 }
 
 

@@ -25,21 +25,42 @@ void Foam::fsi::membraneGaps::findNear
     {
         ofObject.clear();
     }
+    const auto visit = [&](const label a, const label b, const vector& shift)
+    {
+        if (a < nObjects && !surfaces.hasWalls(b))
+        {
+            near_[b].append(neighbour{a, shift});
+        }
+    };
     for (const boxPair& p : boxPairs(boxes, period_, surfaces.nDims()))
     {
-        if (surfaces.hasWalls(p.first) || surfaces.hasWalls(p.second))
-        {
-            continue;
-        }
-        if (p.first < nObjects)
-        {
-            near_[p.second].append(neighbour{p.first, p.shift});
-        }
-        if (p.second < nObjects)
-        {
-            near_[p.first].append(neighbour{p.second, -p.shift});
-        }
+        visit(p.first, p.second, p.shift);
+        visit(p.second, p.first, -p.shift);
     }
+}
+
+
+bool Foam::fsi::membraneGaps::isWithin
+(
+    const surfaceSet& surfaces,
+    const label objecti,
+    const neighbour& near
+) const
+{
+    const point centre(surfaces.bounds(near.object).midpoint() + near.shift);
+    if (!surfaces.hasWalls(near.object) || !box_.contains(centre))
+    {
+        return false;
+    }
+    const label start = surfaces.pointStart()[near.object];
+    const label n = surfaces.pointStart()[near.object + 1] - start;
+    label nInside = 0;
+    for (label i = 0; i < 3; ++i)
+    {
+        const point& x = surfaces.points()[start + i*n/3];
+        nInside += contains(surfaces, objecti, x + near.shift);
+    }
+    return nInside > 1;
 }
 
 
@@ -74,6 +95,7 @@ void Foam::fsi::membraneGaps::sortVisitors
     visitorBox_ = boundBox(vector::max, vector::min);
     for (const neighbour& near : near_[objecti])
     {
+        const label first = visitors_.size();
         const label end = surfaces.pointStart()[near.object + 1];
         for (label i = surfaces.pointStart()[near.object]; i < end; ++i)
         {
@@ -83,10 +105,17 @@ void Foam::fsi::membraneGaps::sortVisitors
                 const label bin =
                     binAt(x.x(), 0)
                   + nBins_[0]*(binAt(x.y(), 1) + nBins_[1]*binAt(x.z(), 2));
-                visitors_.append(visitor{i, x, bins_[bin], -1});
+                visitors_.append(visitor{i, x, bins_[bin], -1, false});
                 bins_[bin] = visitors_.size() - 1;
                 visitorBox_.min() = min(visitorBox_.min(), x);
                 visitorBox_.max() = max(visitorBox_.max(), x);
+            }
+        }
+        if (visitors_.size() > first && isWithin(surfaces, objecti, near))
+        {
+            for (label i = first; i < visitors_.size(); ++i)
+            {
+                visitors_[i].within = true;
             }
         }
     }
@@ -168,7 +197,16 @@ void Foam::fsi::membraneGaps::see
         pairs_.append(pair());
         away_.append(vector::zero);
     }
-    pairs_[v.pair] = pair{v.node, facei, weights, gap, normal};
+    pairs_[v.pair] = pair
+    {
+        v.node,
+        facei,
+        weights,
+        gap,
+        normal,
+        surfaces.hasWalls(surfaces.pointObject()[v.node]),
+        v.within
+    };
     away_[v.pair] = away;
 }
 
@@ -191,11 +229,12 @@ void Foam::fsi::membraneGaps::finish(const surfaceSet& surfaces)
             );
         };
         const bool inside = (away_[pairi] & outward) < 0 && isInside();
+        const scalar side = inside == p.within ? 1 : -1;
         p.normal =
             p.gap > 1e-6*size_
-          ? (inside ? -1 : 1)*away_[pairi]/p.gap
-          : outward;
-        p.gap *= inside ? -1 : 1;
+          ? side*away_[pairi]/p.gap
+          : (p.within ? -1 : 1)*outward;
+        p.gap *= side;
     }
 }
 
@@ -227,39 +266,6 @@ void Foam::fsi::membraneGaps::find
         }
     }
     finish(surfaces);
-}
-
-
-void Foam::fsi::membraneGaps::addChanges
-(
-    const surfaceSet& surfaces,
-    const scalar deltaT,
-    const scalar least,
-    const vectorField& v,
-    vectorField& changes
-) const
-{
-    for (const pair& p : pairs_)
-    {
-        const surfaceFace& face = surfaces.faces()[p.face];
-        const scalar approach =
-            (surfaces.interpolate(v, p.face, p.weights) - v[p.node]) & p.normal;
-        const scalar excess = approach - (p.gap - min(p.gap, least))/deltaT;
-        if (excess > 0)
-        {
-            scalar mobility = 1;
-            for (label i = 0; i < surfaces.nNodes(); ++i)
-            {
-                mobility += sqr(p.weights[i]);
-            }
-            const vector change(excess/mobility*p.normal);
-            changes[p.node] += change;
-            for (label i = 0; i < surfaces.nNodes(); ++i)
-            {
-                changes[face[i]] -= p.weights[i]*change;
-            }
-        }
-    }
 }
 
 

@@ -115,3 +115,4 @@ def check(report, folder):
     steps.stiff(report, folder, True, 0.2, STEP/4)
     steps.drop(report, folder)
     apart.check(report, folder, True)
+    apart.check_floor(report, folder)

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "membraneGaps.H"
+#include "membraneGapLimit.H"
 #include "surfaceWinding.H"
 #include "samples/surfaceSamples.H"
 
@@ -132,7 +132,71 @@ TEST(membraneGaps, areForOwnedObjectsAndMembranes)
     }
     surfaces.setImmersed(1, false);
     gaps.find(surfaces, 2, 0.25);
+    EXPECT_GT(gaps.pairs().size(), 3);
+    for (const membraneGaps::pair& p : gaps.pairs())
+    {
+        EXPECT_EQ(surfaces.pointObject()[p.node], 1);
+    }
+    surfaces.setImmersed(0, false);
+    gaps.find(surfaces, 2, 0.25);
     EXPECT_EQ(gaps.pairs().size(), 0);
+}
+
+
+TEST(membraneGaps, facesGiveWayToBodies)
+{
+    // A fine sphere with walls comes 0.1 nearer to a coarse membrane in a step
+    membraneGaps gaps(vector::zero, 0.2);
+    const vector along(0.6, 0.64, -0.48);
+    surfaceSet surfaces(spheres(2.05*along));
+    surfaces.setImmersed(1, false);
+    const scalar dt = 1e-3, least = 0.02;
+    gaps.find(surfaces, 2, 0.25);
+    vectorField v(surfaces.points().size(), Zero);
+    const label start = surfaces.pointStart()[1];
+    for (label i = start; i < v.size(); ++i)
+    {
+        v[i] = -100*along;
+    }
+    membraneGapLimit(surfaces, gaps.pairs(), dt, least).giveWay(v);
+    for (label i = start; i < v.size(); ++i)
+    {
+        EXPECT_EQ(v[i], -100*along);
+    }
+    surfaces.points() += dt*v;
+    gaps.find(surfaces, 2, 0.25);
+    EXPECT_GT(gaps.pairs().size(), 10);
+    for (const membraneGaps::pair& p : gaps.pairs())
+    {
+        EXPECT_GT(p.gap, 0.5*least);
+    }
+}
+
+
+TEST(membraneGaps, areOfTheSideOfABody)
+{
+    // A small sphere with walls in a membrane, near its face and beyond it
+    membraneGaps gaps(vector::zero, 0.2);
+    const vector along(0.6, 0.64, -0.48);
+    for (const scalar place : {0.6, 0.75})
+    {
+        surfaceSet surfaces(3);
+        appendSphere(surfaces, point::zero, 1, 2);
+        appendSphere(surfaces, place*along, 0.3, 2);
+        surfaces.setImmersed(0, true);
+        surfaces.setImmersed(1, false);
+        gaps.find(surfaces, 2, 0.25);
+        EXPECT_GT(gaps.pairs().size(), 5);
+        label nBeyond = 0;
+        for (const membraneGaps::pair& p : gaps.pairs())
+        {
+            const point& x = surfaces.points()[p.node];
+            EXPECT_EQ(p.gap > 0, contains(surfaces, 0, x));
+            EXPECT_LT(p.normal & x, 0);
+            nBeyond += p.gap < 0;
+        }
+        EXPECT_EQ(nBeyond > 0, place > 0.7);
+    }
 }
 
 
@@ -145,6 +209,7 @@ TEST(membraneGaps, changesKeepTheLeastGap)
     surfaceSet surfaces(spheres(2.05*along));
     const scalar dt = 1e-3, least = 0.02;
     gaps.find(surfaces, 2, 0.25);
+    const membraneGapLimit limit(surfaces, gaps.pairs(), dt, least);
     vectorField v(surfaces.points().size(), Zero);
     for (label i = surfaces.pointStart()[1]; i < v.size(); ++i)
     {
@@ -153,7 +218,7 @@ TEST(membraneGaps, changesKeepTheLeastGap)
     for (label i = 0; i < 20; ++i)
     {
         vectorField changes(v.size(), Zero);
-        gaps.addChanges(surfaces, dt, least, v, changes);
+        limit.addChanges(v, changes);
         EXPECT_NEAR(mag(sum(changes)), 0, 1e-12*100);
         v += changes;
     }
@@ -183,7 +248,7 @@ TEST(membraneGaps, changesKeepTheLeastGap)
     {
         v[i] = 100*along;
     }
-    gaps.addChanges(surfaces, dt, least, v, changes);
+    limit.addChanges(v, changes);
     EXPECT_EQ(max(mag(changes)), 0);
 }
 

@@ -2,7 +2,7 @@
 
 #include "insideFraction.H"
 #include "mathematicalConstants.H"
-#include "membraneGaps.H"
+#include "membraneGapLimit.H"
 #include "nodesInside.H"
 #include "samples/outlines.H"
 #include "samples/samples.H"
@@ -104,7 +104,10 @@ TEST(outlines, nodesNearOtherOutlinesAreFound)
     // They come together with speed 1, and may come nearer by radius/20
     vectorField v(8, vector::zero), changes(v);
     v[0] = vector(1, 0, 0);
-    gaps.addChanges(surfaces, 0.1*radius, 0.05*radius, v, changes);
+    membraneGapLimit
+    (
+        surfaces, gaps.pairs(), 0.1*radius, 0.05*radius
+    ).addChanges(v, changes);
     v += changes;
     const scalar wall = surfaces.interpolate(v, p.face, p.weights).x();
     EXPECT_NEAR(v[0].x() - wall, 0.5, 1e-9);
