@@ -129,6 +129,30 @@ public:
     }
 };
 
+
+void addModeForce
+(
+    const transposedMode& mode,
+    const labelList& pointStart,
+    const vectorField& v,
+    vectorField& force
+)
+{
+    for (label objecti = 0; objecti + 1 < pointStart.size(); ++objecti)
+    {
+        const label end = pointStart[objecti + 1];
+        scalar amount = 0;
+        for (label i = pointStart[objecti]; i < end; ++i)
+        {
+            amount += mode.sign*(mode.vectors[i] & v[i]);
+        }
+        for (label i = pointStart[objecti]; i < end; ++i)
+        {
+            force[i] -= amount*mode.vectors[i];
+        }
+    }
+}
+
 } // End anonymous namespace
 
 } // End namespace fsi
@@ -151,6 +175,7 @@ std::vector<Foam::fsi::transposedMode> Foam::fsi::transposedModes
     const scalarField weights(facesOfNodes(geometry, ranks, x.size()));
     const List<tensor> fields(gradients(nDims));
     std::vector<transposedMode> modes;
+    modes.reserve(fields.size());
     forAll(fields, k)
     {
         const scalar sign = k < nRotations(nDims) ? 1 : -1;
@@ -215,23 +240,23 @@ void Foam::fsi::setTransposedStress
     {
         return;
     }
-    std::vector<transposedMode> strains;
-    const auto modes = transposedModes
+    // One vector for both kinds: a mode is as large as a field of all nodes
+    rotations = transposedModes
     (
         surfaces, geometry,
         fluid.dynamicViscosity()*geometry.grid().thickness(),
         bodies.ranks(),
         relative
     );
-    for (const transposedMode& mode : modes)
+    const auto strains = rotations.begin() + nRotations(bodies.nDims());
+    for (auto mode = strains; mode != rotations.end(); ++mode)
     {
-        (mode.sign > 0 ? rotations : strains).push_back(mode);
+        addModeForce
+        (
+            *mode, surfaces.pointStart(), surfaces.velocities(), strainForce
+        );
     }
-
-    addTransposedForce
-    (
-        strains, surfaces.pointStart(), surfaces.velocities(), strainForce
-    );
+    rotations.erase(strains, rotations.end());
 }
 
 
@@ -245,19 +270,7 @@ void Foam::fsi::addTransposedForce
 {
     for (const transposedMode& mode : modes)
     {
-        for (label objecti = 0; objecti + 1 < pointStart.size(); ++objecti)
-        {
-            const label end = pointStart[objecti + 1];
-            scalar amount = 0;
-            for (label i = pointStart[objecti]; i < end; ++i)
-            {
-                amount += mode.sign*(mode.vectors[i] & v[i]);
-            }
-            for (label i = pointStart[objecti]; i < end; ++i)
-            {
-                force[i] -= amount*mode.vectors[i];
-            }
-        }
+        addModeForce(mode, pointStart, v, force);
     }
 }
 
