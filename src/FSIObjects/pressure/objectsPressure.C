@@ -16,9 +16,9 @@ namespace fsi
 
 //- Entries of the pressure in fvSolution. Fatal if its solver is unknown; the
 //  log says so if it is another than the one of this coupling.
-static const dictionary& checkedControls(const volScalarField& p)
+static dictionary checkedControls(const volScalarField& p)
 {
-    const dictionary& controls = solverControls(p.mesh(), p.name());
+    dictionary controls(solverControls(p.mesh(), p.name()));
     const word solver(getEntry<word>(controls, "solver"));
     const auto& known = *lduMatrix::solver::symMatrixConstructorTablePtr_;
     if (!known.found(solver))
@@ -35,6 +35,8 @@ static const dictionary& checkedControls(const volScalarField& p)
             << " response; 'solver " << solver << "' of " << p.name()
             << " is for coupling weak" << nl << endl;
     }
+    // Objects bound the number of iterations, not the large levels
+    controls.add("wCycleCells", label(16384));
     return controls;
 }
 

@@ -13,23 +13,19 @@ Foam::fsi::multigridHierarchy::controls Foam::fsi::cartesianMultigrid::read
 )
 {
     multigridHierarchy::controls result;
-    const word cycle = controls.lookupOrDefault<word>("cycle", "W");
-    if (cycle != "V" && cycle != "W")
+    const auto readCells = [&](const word& key, label& cells)
     {
-        FatalIOErrorInFunction(controls)
-            << "Unknown cycle " << cycle << ", valid choices: (V W)"
-            << exit(FatalIOError);
-    }
-    result.wCycle = cycle == "W";
-    result.gatherCells =
-        controls.lookupOrDefault<label>("gatherCells", result.gatherCells);
-    if (result.gatherCells < 1)
-    {
-        FatalIOErrorInFunction(controls)
-            << "Entry 'gatherCells' " << result.gatherCells
-            << " in dictionary " << controls.name() << " must be >= 1"
-            << exit(FatalIOError);
-    }
+        cells = controls.lookupOrDefault<label>(key, cells);
+        if (cells < 1)
+        {
+            FatalIOErrorInFunction(controls)
+                << "Entry '" << key << "' " << cells
+                << " in dictionary " << controls.name() << " must be >= 1"
+                << exit(FatalIOError);
+        }
+    };
+    readCells("wCycleCells", result.wCycleCells);
+    readCells("gatherCells", result.gatherCells);
     return result;
 }
 

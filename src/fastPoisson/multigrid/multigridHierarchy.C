@@ -169,7 +169,8 @@ void Foam::fsi::multigridHierarchy::solve(const label leveli)
     else
     {
         cycle(leveli, true);
-        if (controls_.wCycle && leveli > 0)
+        const label nCells = levels_[leveli].partition().nCells();
+        if (leveli > 0 && nCells <= controls_.wCycleCells)
         {
             cycle(leveli, false);
         }

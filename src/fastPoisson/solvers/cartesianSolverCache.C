@@ -62,7 +62,7 @@ Foam::fsi::cartesianSolverCache::multigrid
     const word key
     (
         solver.fieldName()
-      + '_' + controls.lookupOrDefault<word>("cycle", "W")
+      + '_' + Foam::name(controls.lookupOrDefault<label>("wCycleCells", -1))
       + '_' + Foam::name(controls.lookupOrDefault<label>("gatherCells", -1))
     );
     const auto& cache = cartesianSolverCache::New(mesh);

@@ -10,7 +10,8 @@ const Foam::wordList& Foam::fsi::solverKeys()
     static const wordList keys
     ({
         "solver", "preconditioner", "smoother", "type", "tolerance", "relTol",
-        "minIter", "maxIter", "log", "norm", "cycle", "gatherCells",
+        "minIter", "maxIter", "log", "norm", "wCycleCells",
+        "gatherCells",
         // Of OpenFOAM's smoothers and GAMG
         "nSweeps", "agglomerator", "mergeLevels", "nCellsInCoarsestLevel",
         "cacheAgglomeration", "nPreSweeps", "preSweepsLevelMultiplier",

@@ -53,7 +53,7 @@ std::vector<Foam::fsi::namedSolver> Foam::fsi::solvers
             " preconditioner { preconditioner GAMG; smoother GaussSeidel; }"
         },
         {"cartesianMG", "solver cartesianMG;"},
-        {"cartesianMG V", "solver cartesianMG; cycle V;"},
+        {"cartesianMG V", "solver cartesianMG; wCycleCells 1;"},
         {"PCG cartesianMG", "solver PCG; preconditioner cartesianMG;"}
     };
     if (constantCoefficients)
