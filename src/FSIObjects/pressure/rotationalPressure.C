@@ -10,8 +10,13 @@ namespace Foam
 namespace fsi
 {
 
-//- Cells with fluid alone, none of whose faces a wall closes in part
-static boolList wholeCells(const interfaceGeometry& geometry)
+//- Cells with fluid alone, none of whose faces a wall closes in part or is a
+//  film or gives the pressure
+static boolList wholeCells
+(
+    const interfaceGeometry& geometry,
+    const volScalarField& p
+)
 {
     boolList whole(geometry.fluidCell());
     const surfaceScalarField& open = geometry.openArea();
@@ -27,13 +32,22 @@ static boolList wholeCells(const interfaceGeometry& geometry)
     forAll(open.boundaryField(), patchi)
     {
         const fvsPatchScalarField& po = open.boundaryField()[patchi];
+        const fvPatchScalarField& pp = p.boundaryField()[patchi];
         const labelUList& cells = po.patch().faceCells();
         forAll(po, i)
         {
-            if (po.coupled() && po[i] < 1)
+            if (po.coupled() ? po[i] < 1 : pp.fixesValue())
             {
                 whole[cells[i]] = false;
             }
+        }
+    }
+    for (const filmFace& film : geometry.films().faces())
+    {
+        whole[mesh.faceOwner()[film.face]] = false;
+        if (film.face < mesh.nInternalFaces())
+        {
+            whole[mesh.faceNeighbour()[film.face]] = false;
         }
     }
     return whole;
@@ -84,7 +98,7 @@ void Foam::fsi::addRotationalPart
     }
 
     const scalar perNu = tau/sqr(grid.spacing());
-    const boolList whole(wholeCells(geometry));
+    const boolList whole(wholeCells(geometry, p));
     forAll(p, celli)
     {
         if (whole[celli])

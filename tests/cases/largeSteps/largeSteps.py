@@ -22,7 +22,8 @@ a hundred thousand viscous times: starts of passes lie hundreds of changes ahead
 there, and pressure and links of a node are thousands of times what it resists.
 Rigid and stiff ones stay below half of the lid's speed, as the fluid there.
 
-And tolerances, see tolerances.py.
+And tolerances, see tolerances.py, and the pressure with membranes, see
+pressure.py.
 """
 
 import math
@@ -32,6 +33,7 @@ import sys
 
 import fsiCase
 import results
+import pressure
 import tolerances
 
 STEP, EVERY, END = 5e-5, 5e-4, 4e-3
@@ -232,6 +234,7 @@ def main(folder):
     report.attempt("steady flow around walls", check_array, report, folder)
     report.attempt("closed film", check_closed, report, folder)
     report.attempt("driven cavity", check_lid, report, folder)
+    report.attempt("pressure", pressure.check, report, folder)
     report.attempt("tolerances", tolerances.check, report, folder)
 
 
