@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "immersedMembranes.H"
-#include "immersedBodies.H"
 #include "readBetween.H"
 #include "SubField.H"
 
@@ -35,26 +34,6 @@ void Foam::fsi::immersedMembranes::forMembranes(const Action& action) const
 }
 
 
-void Foam::fsi::immersedMembranes::carry
-(
-    const label groupi,
-    Eigen::MatrixXd& v
-) const
-{
-    const bodyGroup& group = bodies_.groups()[groupi];
-    for (label copyi = 0; copyi < group.size(); ++copyi)
-    {
-        if (passes_[bodies_.objectIndex(groupi, copyi)])
-        {
-            const vector mean(group.velocity(copyi));
-            const label nDims = bodies_.nDims();
-            v.middleCols(nDims*copyi, nDims).rowwise() =
-                Eigen::RowVector3d(mean.x(), mean.y(), mean.z()).head(nDims);
-        }
-    }
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::fsi::immersedMembranes::immersedMembranes
@@ -81,21 +60,15 @@ Foam::fsi::immersedMembranes::immersedMembranes
     {
         ghosts_.reset(new wallGhosts(geometry, objects.levelSet()));
     }
+    const dictionary& dict = objects.properties().subOrEmptyDict("membranes");
     if (any)
     {
-        defence_.reset(new wallDefence(objects));
+        const scalar h = geometry.grid().spacing();
+        const scalar least =
+            h*readScalarBetween(dict, "minimumGap", 0.1, 0, 1);
+        limits_.reset(new membraneLimits(objects, least));
         faces_.reset(new faceLattice(geometry.grid()));
         transfer_.reset(new staggeredTransfer(faces_->lattice(), width_));
-    }
-    const dictionary& dict = objects.properties().subOrEmptyDict("membranes");
-    const scalar h = geometry.grid().spacing();
-    const scalar least = h*readScalarBetween(dict, "minimumGap", 0.1, 0, 1);
-    if (any && least > 0)
-    {
-        apart_.reset
-        (
-            new membraneDefence(bodies_, geometry.grid().period(), h, least)
-        );
     }
     if (any && dict.found("contact"))
     {
@@ -221,33 +194,7 @@ void Foam::fsi::immersedMembranes::setVelocities
     });
     nodeLayout::groupNodal velocity;
     bodies_.layout().toGroups(part.collect(bodies_.ranks()), velocity);
-    defence_->find(objects_.surfaces(), deltaT);
-    forAll(velocity, groupi)
-    {
-        if (!bodies_.groups()[groupi].hasWalls())
-        {
-            v[groupi] = velocity[groupi];
-            defence_->addFaded(groupi, slip_[groupi], v[groupi]);
-            defence_->limit(groupi, v[groupi]);
-        }
-    }
-    if (apart_.valid())
-    {
-        apart_->limit(deltaT, v);
-    }
-    forAll(velocity, groupi)
-    {
-        const bodyGroup& group = bodies_.groups()[groupi];
-        if (!group.hasWalls())
-        {
-            dynamic_cast<const immersedBodies&>(group).keepVolume
-            (
-                deltaT, v[groupi]
-            );
-            defence_->limit(groupi, v[groupi]);
-            carry(groupi, v[groupi]);
-        }
-    }
+    limits_->set(objects_.surfaces(), deltaT, passes_, velocity, slip_, v);
 }
 
 

@@ -38,7 +38,10 @@ void Foam::fsi::membraneDefence::limit
     vectorField ofNodes;
     bodies_.layout().toSurface(v, ofNodes);
     vectorField changes(ofNodes.size(), Zero);
-    const membraneGapLimit gapLimit(surfaces, gaps_.pairs(), deltaT, least_);
+    const membraneGapLimit gapLimit
+    (
+        surfaces, gaps_.pairs(), deltaT, least_, ofNodes
+    );
     gapLimit.addChanges(ofNodes, changes);
     vectorField changed(ofNodes + changes);
     gapLimit.giveWay(changed);

@@ -183,27 +183,58 @@ void Foam::fsi::wallDefence::limitAtSides
 ) const
 {
     const label nDims = grid_.nDims();
-    const scalar least = smallest*grid_.spacing();
+    const scalar h = grid_.spacing();
     const Eigen::MatrixXd& x = bodies_.groups()[groupi].positions();
-    for (label sidei = 0; sidei < 2*nDims; ++sidei)
+    const boundBox& box = sides_.bounds();
+    for (const contactWall& wall : sides_.walls())
     {
-        if (sides_[sidei] != domainSides::WALL || sides_.isOpen(sidei))
+        direction d = 0;
+        while (mag(wall.normal()[d]) < 0.5)
         {
-            continue;
+            ++d;
         }
-        const direction d = sidei/2;
-        const scalar inward = sidei % 2 ? -1 : 1;
-        const boundBox& box = sides_.bounds();
-        const scalar side = sidei % 2 ? box.max()[d] : box.min()[d];
-        for (Eigen::Index column = d; column < v.cols(); column += nDims)
+        const bool upper = wall.normal()[d] < 0;
+        for (Eigen::Index column = 0; column < v.cols(); column += nDims)
         {
-            const Eigen::ArrayXd gap(inward*(x.col(column).array() - side));
-            v.col(column).array() +=
-                inward
-               *(
-                    (gap.min(least) - gap)/deltaT_
-                  - inward*v.col(column).array()
-                ).max(0);
+            const auto along = x.col(column + d);
+            const scalar nearest =
+                upper
+              ? box.max()[d] - along.maxCoeff()
+              : along.minCoeff() - box.min()[d];
+            if (nearest < h)
+            {
+                limitAtSide(wall, x, column, v);
+            }
+        }
+    }
+}
+
+
+void Foam::fsi::wallDefence::limitAtSide
+(
+    const contactWall& wall,
+    const Eigen::MatrixXd& x,
+    const Eigen::Index column,
+    Eigen::MatrixXd& v
+) const
+{
+    const scalar least = smallest*grid_.spacing();
+    vector away;
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+    {
+        point p(0, 0, bodies_.planeZ());
+        vector velocity(Zero);
+        for (direction d = 0; d < grid_.nDims(); ++d)
+        {
+            p[d] = x(i, column + d);
+            velocity[d] = v(i, column + d);
+        }
+        const scalar gap = wall.gap(p, away);
+        const scalar lacking =
+            (min(gap, least) - gap)/deltaT_ - (velocity & away);
+        for (direction d = 0; lacking > 0 && d < grid_.nDims(); ++d)
+        {
+            v(i, column + d) += lacking*away[d];
         }
     }
 }

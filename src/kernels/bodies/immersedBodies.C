@@ -155,6 +155,7 @@ void Foam::fsi::immersedBodies::prepareResponse(const scalar dt)
 void Foam::fsi::immersedBodies::keepVolume
 (
     const scalar dt,
+    const Eigen::MatrixXd& free,
     Eigen::MatrixXd& v
 ) const
 {
@@ -166,6 +167,11 @@ void Foam::fsi::immersedBodies::keepVolume
         );
         Eigen::MatrixXd along(Eigen::MatrixXd::Zero(x.rows(), x.cols()));
         bodyVolume::addGradient(shape().faces(), 1, x, along);
+        const Eigen::MatrixXd freely(along.cwiseProduct(ofCopy(free, copyi)));
+        if (freely.squaredNorm() > fewFree*along.squaredNorm())
+        {
+            along = freely;
+        }
         const scalar factor = bodyVolume::factorAlongGradient
         (
             shape().faces(), x, along, shape().referenceVolume()

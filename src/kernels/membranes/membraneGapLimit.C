@@ -2,21 +2,57 @@
 
 #include "membraneGapLimit.H"
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::membraneGapLimit::membraneGapLimit
+(
+    const surfaceSet& surfaces,
+    const UList<membraneGaps::pair>& pairs,
+    const scalar deltaT,
+    const scalar least,
+    const vectorField& v
+)
+:
+    surfaces_(surfaces),
+    pairs_(pairs),
+    deltaT_(deltaT),
+    least_(least),
+    speeds_(surfaces.size(), Zero)
+{
+    forAll(v, nodei)
+    {
+        scalar& speed = speeds_[surfaces.pointObject()[nodei]];
+        speed = max(speed, mag(v[nodei]));
+    }
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::fsi::membraneGapLimit::excess
+Foam::scalar Foam::fsi::membraneGapLimit::approach
 (
     const membraneGaps::pair& p,
     const vectorField& v
 ) const
 {
     const vector ofFace(surfaces_.interpolate(v, p.face, p.weights));
-    // A body that goes on pushing loses a part of its gap in each step, which
-    // the correction of the volume takes
-    const scalar given = p.ofBody ? 0.5 : 0;
+    return (ofFace - v[p.node]) & p.normal;
+}
+
+
+Foam::scalar Foam::fsi::membraneGapLimit::allowed
+(
+    const membraneGaps::pair& p
+) const
+{
     const scalar lacking = max(least_ - p.gap, scalar(0));
-    const scalar kept = min(p.gap, least_) + given*lacking;
-    return ((ofFace - v[p.node]) & p.normal) - (p.gap - kept)/deltaT_;
+    const scalar moved =
+        deltaT_
+       *(
+            speeds_[surfaces_.pointObject()[p.node]]
+          + speeds_[surfaces_.faceObject()[p.face]]
+        );
+    return (max(p.gap - least_, scalar(0)) - min(0.5*lacking, moved))/deltaT_;
 }
 
 
@@ -44,7 +80,7 @@ void Foam::fsi::membraneGapLimit::addChanges
 {
     for (const membraneGaps::pair& p : pairs_)
     {
-        const scalar lacking = excess(p, v);
+        const scalar lacking = approach(p, v) - allowed(p);
         if (p.ofBody || lacking <= 0)
         {
             continue;
@@ -79,7 +115,7 @@ void Foam::fsi::membraneGapLimit::giveWay(vectorField& v) const
         {
             const membraneGaps::pair& p = pairs_[pairi];
             const surfaceFace& face = surfaces_.faces()[p.face];
-            const scalar lacking = excess(p, v);
+            const scalar lacking = approach(p, v) - allowed(p);
             const scalar change = lacking/squareSum(p.weights);
             for (label i = 0; i < nNodes && lacking > 0; ++i)
             {

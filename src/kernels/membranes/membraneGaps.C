@@ -40,30 +40,6 @@ void Foam::fsi::membraneGaps::findNear
 }
 
 
-bool Foam::fsi::membraneGaps::isWithin
-(
-    const surfaceSet& surfaces,
-    const label objecti,
-    const neighbour& near
-) const
-{
-    const point centre(surfaces.bounds(near.object).midpoint() + near.shift);
-    if (!surfaces.hasWalls(near.object) || !box_.contains(centre))
-    {
-        return false;
-    }
-    const label start = surfaces.pointStart()[near.object];
-    const label n = surfaces.pointStart()[near.object + 1] - start;
-    label nInside = 0;
-    for (label i = 0; i < 3; ++i)
-    {
-        const point& x = surfaces.points()[start + i*n/3];
-        nInside += contains(surfaces, objecti, x + near.shift);
-    }
-    return nInside > 1;
-}
-
-
 inline Foam::label Foam::fsi::membraneGaps::binAt
 (
     const scalar x,
@@ -95,7 +71,6 @@ void Foam::fsi::membraneGaps::sortVisitors
     visitorBox_ = boundBox(vector::max, vector::min);
     for (const neighbour& near : near_[objecti])
     {
-        const label first = visitors_.size();
         const label end = surfaces.pointStart()[near.object + 1];
         for (label i = surfaces.pointStart()[near.object]; i < end; ++i)
         {
@@ -105,17 +80,10 @@ void Foam::fsi::membraneGaps::sortVisitors
                 const label bin =
                     binAt(x.x(), 0)
                   + nBins_[0]*(binAt(x.y(), 1) + nBins_[1]*binAt(x.z(), 2));
-                visitors_.append(visitor{i, x, bins_[bin], -1, false});
+                visitors_.append(visitor{i, x, bins_[bin], -1});
                 bins_[bin] = visitors_.size() - 1;
                 visitorBox_.min() = min(visitorBox_.min(), x);
                 visitorBox_.max() = max(visitorBox_.max(), x);
-            }
-        }
-        if (visitors_.size() > first && isWithin(surfaces, objecti, near))
-        {
-            for (label i = first; i < visitors_.size(); ++i)
-            {
-                visitors_[i].within = true;
             }
         }
     }
@@ -204,8 +172,7 @@ void Foam::fsi::membraneGaps::see
         weights,
         gap,
         normal,
-        surfaces.hasWalls(surfaces.pointObject()[v.node]),
-        v.within
+        surfaces.hasWalls(surfaces.pointObject()[v.node])
     };
     away_[v.pair] = away;
 }
@@ -229,12 +196,11 @@ void Foam::fsi::membraneGaps::finish(const surfaceSet& surfaces)
             );
         };
         const bool inside = (away_[pairi] & outward) < 0 && isInside();
-        const scalar side = inside == p.within ? 1 : -1;
         p.normal =
             p.gap > 1e-6*size_
-          ? side*away_[pairi]/p.gap
-          : (p.within ? -1 : 1)*outward;
-        p.gap *= side;
+          ? (inside ? -1 : 1)*away_[pairi]/p.gap
+          : outward;
+        p.gap *= inside ? -1 : 1;
     }
 }
 

@@ -4,7 +4,6 @@
 #include "boxPairs.H"
 #include "DynamicList.H"
 #include "surfaceWinding.H"
-#include "UIndirectList.H"
 
 #include <memory>
 #include <utility>
@@ -145,26 +144,16 @@ Foam::fsi::insideCounts Foam::fsi::nodesInside
         }
         return triangles[objecti]->contains(x);
     };
-    DynamicList<label> within;
     const auto mark = [&](const label a, const label b, const vector& shift)
     {
         if (surfaces.hasWalls(a) && surfaces.hasWalls(b))
         {
             return;
         }
-        within.clear();
-        const label start = surfaces.pointStart()[a];
         const label end = surfaces.pointStart()[a + 1];
-        for (label i = start; i < end; ++i)
+        for (label i = surfaces.pointStart()[a]; i < end; ++i)
         {
-            if (inside(b, surfaces.points()[i] + shift))
-            {
-                within.append(i);
-            }
-        }
-        if (!surfaces.hasWalls(a) || within.size() < end - start)
-        {
-            UIndirectList<bool>(found, within) = true;
+            found[i] = found[i] || inside(b, surfaces.points()[i] + shift);
         }
     };
     forAll(boxes, objecti)

@@ -78,23 +78,3 @@ def check(report, folder, plane=False):
     """No node gets through a long face."""
     for body in (False, True):
         check_falling(report, folder, plane, body)
-
-
-def check_floor(report, folder):
-    """A heavy body presses a soft membrane flat; it stays in the domain."""
-    case = fsiCase.Case(
-        os.path.join(folder, "floor"), box=(0, 0, 1, 1), cells=(40, 40),
-        viscosity=0.01, density=1000, gravity="(0 -9.81 0)", deltaT=0.002,
-        endTime=0.7, writeInterval=50,
-        shapes="m { shape { type circle; radius 0.2; } material { type "
-               "membrane; density 1100; shearModulus 2; } } s { shape { type "
-               "star; radius 0.13; amplitude 0.3; points 4; } material { "
-               "type rigid; density 3000; } }",
-        placements="a { type listed; shape m; objects ({ centre "
-                   "(0.5 0.25 0); }); } b { type listed; shape s; objects "
-                   "({ centre (0.52 0.7 0); rotation 45; }); }").set_up()
-    case.run("fsiPisoFoam")
-    text = case.run("checkObjects")
-    outside = [int(n) for n in re.findall(r"(\d+) outside", text)]
-    report.check("a membrane under a heavy body stays in the domain",
-                 len(outside) == 8 and max(outside) == 0, str(outside))

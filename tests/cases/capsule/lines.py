@@ -8,6 +8,7 @@ import sys
 
 import apart
 import fsiCase
+import pressed
 import results
 import sameAnswers
 import steps
@@ -115,4 +116,4 @@ def check(report, folder):
     steps.stiff(report, folder, True, 0.2, STEP/4)
     steps.drop(report, folder)
     apart.check(report, folder, True)
-    apart.check_floor(report, folder)
+    pressed.check(report, folder)

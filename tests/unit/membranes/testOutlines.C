@@ -106,7 +106,7 @@ TEST(outlines, nodesNearOtherOutlinesAreFound)
     v[0] = vector(1, 0, 0);
     membraneGapLimit
     (
-        surfaces, gaps.pairs(), 0.1*radius, 0.05*radius
+        surfaces, gaps.pairs(), 0.1*radius, 0.05*radius, v
     ).addChanges(v, changes);
     v += changes;
     const scalar wall = surfaces.interpolate(v, p.face, p.weights).x();
