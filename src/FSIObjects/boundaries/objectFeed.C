@@ -35,6 +35,16 @@ static boundBox patchBounds(const polyMesh& mesh, const word& name)
 
 Foam::label Foam::fsi::objectFeed::readGroup(const dictionary& dict) const
 {
+    checkKeys
+    (
+        dict,
+        {
+            "shape", "rate", fractionKey(objects_.nDims()), "velocity",
+            "angularVelocity", "velocityPerturbation", "randomRotation",
+            "rotation", "minimumGap", "sideGap", "seed", "startTime",
+            "maxAttempts"
+        }
+    );
     const word shape(getEntry<word>(dict, "shape"));
     const label groupi = objects_.findGroup(shape);
     if (groupi < 0)
@@ -57,15 +67,6 @@ Foam::label Foam::fsi::objectFeed::readGroup(const dictionary& dict) const
 void Foam::fsi::objectFeed::check(const dictionary& dict) const
 {
     const word fraction(fractionKey(shape_.nDims()));
-    checkKeys
-    (
-        dict,
-        {
-            "shape", "rate", fraction, "velocity", "angularVelocity",
-            "velocityPerturbation", "randomRotation", "rotation",
-            "minimumGap", "sideGap", "seed", "startTime", "maxAttempts"
-        }
-    );
     if (dict.found("rate") == dict.found(fraction))
     {
         FatalIOErrorInFunction(dict)
