@@ -61,11 +61,10 @@ Foam::fsi::immersedMembranes::immersedMembranes
         ghosts_.reset(new wallGhosts(geometry, objects.levelSet()));
     }
     const dictionary& dict = objects.properties().subOrEmptyDict("membranes");
+    const scalar h = geometry.grid().spacing();
+    const scalar least = h*readScalarBetween(dict, "minimumGap", 0.1, 0, 1);
     if (any)
     {
-        const scalar h = geometry.grid().spacing();
-        const scalar least =
-            h*readScalarBetween(dict, "minimumGap", 0.1, 0, 1);
         limits_.reset(new membraneLimits(objects, least));
         faces_.reset(new faceLattice(geometry.grid()));
         transfer_.reset(new staggeredTransfer(faces_->lattice(), width_));

@@ -37,15 +37,14 @@ void Foam::fsi::membraneDefence::limit
     }
     vectorField ofNodes;
     bodies_.layout().toSurface(v, ofNodes);
-    vectorField changes(ofNodes.size(), Zero);
     const membraneGapLimit gapLimit
     (
         surfaces, gaps_.pairs(), deltaT, least_, ofNodes
     );
+    vectorField changes(ofNodes);
     gapLimit.addChanges(ofNodes, changes);
-    vectorField changed(ofNodes + changes);
-    gapLimit.giveWay(changed);
-    changes = changed - ofNodes;
+    gapLimit.giveWay(changes);
+    changes -= ofNodes;
     nodeLayout::groupNodal inGroups;
     bodies_.layout().toGroups(changes, inGroups);
     nodeLayout::add(inGroups, v);

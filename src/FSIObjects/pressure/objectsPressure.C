@@ -36,7 +36,7 @@ static dictionary checkedControls(const volScalarField& p)
             << " is for coupling weak" << nl << endl;
     }
     // Objects bound the number of iterations, not the large levels
-    controls.add("wCycleCells", label(16384));
+    controls.add("wCycleCells", multigridHierarchy::controls().gatherCells);
     return controls;
 }
 

@@ -30,6 +30,8 @@ SEEDING = [
      ("colour", "material")),
     ("wrong key of a material", {"law": "colour red;"},
      ("colour", "density")),
+    ("masses of nodes, an entry of earlier versions",
+     {"law": "nodeMass uniform;"}, ("nodeMass", "density")),
     ("wrong key of an outline", {"shape": GOOD["shape"] + " colour red;"},
      ("colour", "radius")),
     ("unknown shape", {"shape": "type blob;"}, ("blob", "circle")),
@@ -254,9 +256,7 @@ def check_sides(report, folder):
     faces = boxFiles.FACES
     text = text.replace(right, "").replace(
         faces["left"], f"{faces['left']} {faces['right']}")
-    with open(os.path.join(case.path, "system/blockMeshDict"), "w",
-              encoding="ascii") as stream:
-        stream.write(text)
+    case.text("system/blockMeshDict", text)
     case.run("blockMesh")
     case.run("seedObjects")
     refused(report, "feed at a patch on two sides", case, "fsiPisoFoam",

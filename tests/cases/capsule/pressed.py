@@ -36,7 +36,7 @@ def run(report, name, case):
     inside = [int(a) + int(b or 0) for a, b in re.findall(
         r"inside other objects: (\d+) of \d+"
         r"(?:, .* inside membranes: (\d+))?", text)]
-    checked = case.run("checkObjects", "-areaTolerance", "1")
+    checked = case.run("checkObjects")
     outside = [int(n) for n in re.findall(r"(\d+) outside", checked)]
     change = max(row["areaChange"]
                  for row in results.table(case.path, "global.csv"))

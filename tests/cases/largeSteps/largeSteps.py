@@ -32,8 +32,8 @@ import re
 import sys
 
 import fsiCase
-import results
 import pressure
+import results
 import tolerances
 
 STEP, EVERY, END = 5e-5, 5e-4, 4e-3
