@@ -105,6 +105,7 @@ void Foam::fsi::objectsConductance::lowerInFilms(scalarField& d) const
 void Foam::fsi::objectsConductance::addWalls
 (
     const cellObjects& objects,
+    const vectorField& mobility,
     faceValues& conductance
 ) const
 {
@@ -112,7 +113,7 @@ void Foam::fsi::objectsConductance::addWalls
     const label nInternal = objects_.grid().mesh().nInternalFaces();
 
     // Closed area of each cell at walls towards the inside
-    scalarField d(estimate*diagonal());
+    scalarField d(estimate*diagonal(mobility));
     lowerInFilms(d);
     scalarField inner(d.size(), Zero), all(d.size(), Zero);
     boolList reaches(faces.size());
@@ -144,12 +145,8 @@ void Foam::fsi::objectsConductance::addWalls
             if (celli >= 0 && (thin || reaches[i]))
             {
                 const label at = walls_.place(celli);
-                scalar& g = conductance.face[w.face];
-                if (g == 0 && w.face < nInternal)
-                {
-                    conductance.faces.append(w.face);
-                }
-                g += w.area*d[at]/(thin ? all : inner)[at];
+                const scalar area = (thin ? all : inner)[at];
+                conductance.add(w.face, w.area*d[at]/area, nInternal);
             }
         }
     }
@@ -207,7 +204,13 @@ Foam::fsi::objectsConductance::conductance(const stepLength& step)
     faceValues g;
     g.face.setSize(mesh.nFaces());
     setInterior(objects, g);
-    addWalls(objects, g);
+    const vectorField mobility(nodeMobility());
+    addWalls(objects, mobility, g);
+    const auto conducts = [&](const label facei, const scalar ofFilm)
+    {
+        g.add(facei, ofFilm, nInternal);
+    };
+    walls_.forFilmConductances(mobility, conducts);
 
     // The rank of the cell inside has no wall
     SubList<scalar> boundary(g.face, mesh.nFaces() - nInternal, nInternal);

@@ -26,12 +26,10 @@ void Foam::fsi::objectsConductance::rowSums(scalarField& d) const
 }
 
 
-void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
+Foam::vectorField Foam::fsi::objectsConductance::nodeMobility() const
 {
     const scalar dt = tau_;
     const surfaceSet& surfaces = bodies_.surfaces();
-
-    // dt rho/A_ii per surface node and component
     vectorField mobility(surfaces.points().size(), Zero);
     const label nOwned = surfaces.pointStart()[bodies_.size()];
     for (label nodei = 0; nodei < nOwned; ++nodei)
@@ -50,6 +48,16 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
     }
 
     bodies_.ranks().spread({objectRanks::values::ofWalls(mobility)});
+    return mobility;
+}
+
+
+void Foam::fsi::objectsConductance::nodeDiagonal
+(
+    const vectorField& mobility,
+    scalarField& d
+) const
+{
     for (const cellWall& w : geometry_.surfaceParts())
     {
         const vector squares(cmptMultiply(w.area, w.area));
@@ -63,12 +71,15 @@ void Foam::fsi::objectsConductance::nodeDiagonal(scalarField& d) const
 }
 
 
-Foam::scalarField Foam::fsi::objectsConductance::diagonal() const
+Foam::scalarField Foam::fsi::objectsConductance::diagonal
+(
+    const vectorField& mobility
+) const
 {
     const label n = walls_.cells().size();
     scalarField rows(n, Zero), d(n, Zero);
     rowSums(rows);
-    nodeDiagonal(d);
+    nodeDiagonal(mobility, d);
     forAll(d, at)
     {
         d[at] = max(max(rows[at], d[at]), 0.0);

@@ -118,6 +118,18 @@ void Foam::fsi::filmFluxes::addForce
 }
 
 
+void Foam::fsi::filmFluxes::addCarriers(filmConductance& films) const
+{
+    for (const carried& w : parts_)
+    {
+        films.addCarrier(w.lower, w.nodeA, w.weightA*w.area);
+        films.addCarrier(w.lower, w.nodeB, w.weightB*w.area);
+        films.addCarrier(w.upper, w.nodeA, -w.weightA*w.area);
+        films.addCarrier(w.upper, w.nodeB, -w.weightB*w.area);
+    }
+}
+
+
 void Foam::fsi::filmFluxes::addFaceFlux
 (
     const vectorField& v,

@@ -21,42 +21,6 @@ Foam::fsi::wallOperator::wallOperator
 {}
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::fsi::wallOperator::setEntries()
-{
-    entries_.clear();
-    atWalls_.update(geometry_);
-    perArea_.setSize(nObjects_);
-    perArea_ = Zero;
-    for (const cellWall& w : geometry_.surfaceParts())
-    {
-        const scalar area = mag(w.area);
-        perArea_[w.place.object] += area;
-        w.place.forPairs
-        (
-            [&](const label a, const scalar u, const label b, const scalar v)
-            {
-                entries_.append
-                ({
-                    atWalls_.places()[w.cell],
-                    w.place.object,
-                    a,
-                    b,
-                    u,
-                    v,
-                    area*(u + v),
-                    w.area
-                });
-            }
-        );
-    }
-    ranks_.collect({objectRanks::values::ofObjects(perArea_)});
-    perArea_ = 1/max(perArea_, VSMALL);
-    ranks_.spread({objectRanks::values::ofObjects(perArea_)});
-}
-
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
@@ -67,7 +31,13 @@ void Foam::fsi::wallOperator::update(const surfaceSet& surfaces)
     nObjects_ = surfaces.size();
     meanPressure_.setSize(nObjects_);
 
-    setEntries();
+    atWalls_.update(geometry_);
+    perArea_.setSize(nObjects_);
+    perArea_ = Zero;
+    entries_.update(geometry_, atWalls_, perArea_);
+    ranks_.collect({objectRanks::values::ofObjects(perArea_)});
+    perArea_ = 1/max(perArea_, VSMALL);
+    ranks_.spread({objectRanks::values::ofObjects(perArea_)});
     films_.update();
     cuts_.update(geometry_, surfaces);
     transposeSums(scalarField(atWalls_.size(), 1), uniformForce_, false);

@@ -14,13 +14,7 @@ void Foam::fsi::wallOperator::transposeSums
     force.setSize(nNodes_);
     force = Zero;
     meanPressure_ = 0;
-    for (const entry& w : entries_)
-    {
-        const vector load(p[w.cell]*w.area);
-        force[w.nodeA] += w.weightA*load;
-        force[w.nodeB] += w.weightB*load;
-        meanPressure_[w.object] += w.share*p[w.cell];
-    }
+    entries_.addTransposed(p, force, meanPressure_);
     meanPressure_ *= perArea_;
     if (films)
     {
@@ -32,23 +26,6 @@ void Foam::fsi::wallOperator::transposeSums
         objectRanks::values::ofWalls(force),
         objectRanks::values::ofObjects(meanPressure_)
     });
-}
-
-
-void Foam::fsi::wallOperator::addFluxLess
-(
-    const scalarField& net,
-    const vectorField& v,
-    scalarField& Jv
-) const
-{
-    const scalarField netPerArea(net*perArea_);
-    for (const entry& w : entries_)
-    {
-        Jv[w.cell] +=
-            (w.area & (w.weightA*v[w.nodeA] + w.weightB*v[w.nodeB]))
-          - w.share*netPerArea[w.object];
-    }
 }
 
 
@@ -74,7 +51,7 @@ void Foam::fsi::wallOperator::addFluxAtWalls
     }
     if (ranks_.shared())
     {
-        addFluxLess(net, v, Jv);
+        entries_.addFlux(v, net*perArea_, Jv);
         if (films)
         {
             filmFluxes_.addFlux(v, Jv);
@@ -87,7 +64,7 @@ void Foam::fsi::wallOperator::addFluxAtWalls
         objectRanks::values::ofWalls(heldVelocity_),
         objectRanks::values::ofObjects(net)
     });
-    addFluxLess(net, heldVelocity_, Jv);
+    entries_.addFlux(heldVelocity_, net*perArea_, Jv);
     if (films)
     {
         filmFluxes_.addFlux(heldVelocity_, Jv);
@@ -120,10 +97,11 @@ void Foam::fsi::wallOperator::flux
 
 void Foam::fsi::wallOperator::addGivenFlux(scalarField& Jv) const
 {
-    const scalarField perArea(givenFlux_*perArea_);
-    for (const entry& w : entries_)
+    scalarField ofWalls(atWalls_.size(), Zero);
+    entries_.addShares(givenFlux_*perArea_, ofWalls);
+    forAll(ofWalls, at)
     {
-        Jv[atWalls_.cells()[w.cell]] += w.share*perArea[w.object];
+        Jv[atWalls_.cells()[at]] += ofWalls[at];
     }
 }
 
@@ -134,7 +112,7 @@ void Foam::fsi::wallOperator::addGrossFluxAtWalls
     scalarField& Jv
 ) const
 {
-    addFluxLess(scalarField(nObjects_, Zero), v, Jv);
+    entries_.addFlux(v, scalarField(nObjects_, Zero), Jv);
 }
 
 
@@ -161,6 +139,43 @@ void Foam::fsi::wallOperator::transposeAtWalls
     forAll(f, nodei)
     {
         f[nodei] -= meanPressure_[pointObject_[nodei]]*uniformForce_[nodei];
+    }
+}
+
+
+void Foam::fsi::wallOperator::forFilmConductances
+(
+    const vectorField& mobility,
+    const std::function<void(const label, const scalar)>& conducts
+) const
+{
+    filmConductance films(atWalls_.size());
+    List<FixedList<label, 2>> cells(geometry_.films().faces().size());
+    forAll(cells, i)
+    {
+        const filmFace& film = geometry_.films().faces()[i];
+        cells[i] = geometry_.grid().cellsBeside(film.face);
+        for (label& celli : cells[i])
+        {
+            celli = celli < 0 ? -1 : place(celli);
+            if (celli >= 0)
+            {
+                films.addCell(celli);
+            }
+        }
+    }
+    entries_.addCarriers(films);
+    filmFluxes_.addCarriers(films);
+    forAll(cells, i)
+    {
+        if (cells[i][0] >= 0 && cells[i][1] >= 0)
+        {
+            conducts
+            (
+                geometry_.films().faces()[i].face,
+                films.between(cells[i][0], cells[i][1], mobility)
+            );
+        }
     }
 }
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Iterations of the pressure equation with objects of the fluid's density on
-40 % of a driven cavity: at most 24 to 1e-6, soft and stiff, few discs and many,
-red cells, and on two ranks as many as on one. Films of up to 2.5 cells, which
-the preconditioner does not know, take up to four of them.
+40 % of a driven cavity: at most 21 to 1e-6, soft and stiff, few discs and many,
+red cells, and on two ranks as many as on one. Films of up to 2.5 cells take up
+to four of them.
 
     crowd.py FOLDER
 
@@ -26,18 +26,23 @@ STEPS = 6
 # Area of an outline of radius 1
 AREA = {"circle": math.pi, "biconcave": 0.891}
 
-# Outline, number, cells per side, modulus over density times speed squared
-CASES = (("circle", 1, 64, 0.2), ("circle", 16, 128, 0.2),
-         ("circle", 16, 128, 2e3), ("circle", 64, 192, 0.2),
-         ("biconcave", 12, 256, 8))
+# Outline, number, cells per side, modulus over density times speed squared,
+# viscosity, most iterations. In the last one friction stops the fluid in films
+# within a step: 187 where their faces do not conduct by moving bodies
+CASES = (("circle", 1, 64, 0.2, 0.01, LIMIT),
+         ("circle", 16, 128, 0.2, 0.01, LIMIT),
+         ("circle", 16, 128, 2e3, 0.01, LIMIT),
+         ("circle", 64, 192, 0.2, 0.01, LIMIT),
+         ("biconcave", 12, 256, 8, 0.01, LIMIT),
+         ("circle", 64, 128, 2, 0.1, 150))
 
 
-def crowd(path, outline, number, n, modulus):
+def crowd(path, outline, number, n, modulus, viscosity):
     """A case with objects packed at random, at least a cell apart."""
     radius = math.sqrt(0.4/AREA[outline]/number)
     step = 0.25/n
     return fsiCase.Case(
-        path, cells=(n, n), density=1000, viscosity=0.01,
+        path, cells=(n, n), density=1000, viscosity=viscosity,
         walls={"top": "(1 0 0)"},
         shapes=f"disc {{ shape {{ type {outline}; radius {radius:.6g}; }} "
                f"material {{ density 1000; E {1000*modulus}; }} }}",
@@ -76,17 +81,17 @@ def main(folder):
     """The checks."""
     report = fsiCase.Report()
     report.attempt("level", check_level, report, folder)
-    for outline, number, n, modulus in CASES:
+    for outline, number, n, modulus, viscosity, most in CASES:
         name = f"{number} {outline}, modulus {modulus:g}"
         case = crowd(os.path.join(folder, f"{outline}-{number}-{modulus:g}"),
-                     outline, number, n, modulus)
+                     outline, number, n, modulus, viscosity)
         log = (report.attempt(name, case.set_up)
                and report.attempt(name, case.run, "fsiPisoFoam"))
         if not log:
             continue
         count = iterations(log)
         print(f"    {name}: {count} iterations")
-        report.check(name, count <= LIMIT, f"{count} iterations")
+        report.check(name, count <= most, f"{count} iterations")
         if (number, modulus) == (16, 0.2):
             check_ranks(report, case, count)
 
