@@ -17,7 +17,7 @@ def table(case, name):
     ):
         with open(path, encoding="ascii") as stream:
             for row in csv.DictReader(stream):
-                rows.append({k: v if k == "shape" else float(v)
+                rows.append({k: v if k in ("shape", "patch") else float(v)
                              for k, v in row.items()})
     if not rows:
         raise ValueError(f"{case} has no {name}")

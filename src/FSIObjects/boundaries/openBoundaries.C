@@ -1,47 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "openBoundaries.H"
-#include "errorOf.H"
+#include "objectWriter.H"
 #include "dictionaryCheck.H"
-#include "openfoamMesh.H"
 #include "openfoamVersion.H"
 #include "stateFile.H"
-#include "sumOverRanks.H"
 #include "userVariables.H"
-
-#include <map>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-namespace fsi
-{
-
-//- The one of some patches that is nearest to a point. All ranks must call
-static const word& nearestPatch
-(
-    const polyBoundaryMesh& patches,
-    const wordList& names,
-    const point& p
-)
-{
-    scalarField nearest(names.size(), GREAT);
-    forAll(names, i)
-    {
-        const label patchi = patchOf(patches, names[i]);
-        for (label j = 0; patchi >= 0 && j < patches[patchi].size(); ++j)
-        {
-            const scalar away = magSqr(patches[patchi].faceCentres()[j] - p);
-            nearest[i] = min(nearest[i], away);
-        }
-    }
-    combineOverRanks(nearest, minEqOp<scalar>());
-    return names[findIndex(nearest, min(nearest))];
-}
-
-} // End namespace fsi
-} // End namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -69,133 +33,6 @@ void Foam::fsi::openBoundaries::read()
             feed.read(feeds.subDict(feed.patch()));
         }
     }
-}
-
-
-Foam::label Foam::fsi::openBoundaries::sideLeft(const label objecti) const
-{
-    const boundBox box(objects_.surfaces().bounds(objecti));
-    const bodyGroup& group = objects_.groups()[objects_.objectGroup(objecti)];
-    for (label sidei = 0; sidei < 2*objects_.nDims(); ++sidei)
-    {
-        const scalar beyond = sides_.beyond(sidei, box);
-        if (beyond <= 0)
-        {
-            continue;
-        }
-        if
-        (
-            sides_[sidei] == domainSides::WALL
-         && sides_.behindWall(pointField(1, centreOf(box)))
-        )
-        {
-            FatalErrorInFunction
-                << "Object " << objects_.objectId(objecti) << " of shape "
-                << group.shape().name() << ", from " << box.min() << " to "
-                << box.max() << ", is wholly outside the domain "
-                << sides_.bounds() << ", beyond a wall"
-                << exit(FatalError);
-        }
-        const vector v(group.velocity(objects_.objectCopy(objecti)));
-        if
-        (
-            beyond > grid_.spacing()
-         && sides_.isOpen(sidei)
-         && (v & domainSides::outward(sidei)) >= 0
-        )
-        {
-            return sidei;
-        }
-    }
-    return -1;
-}
-
-
-Foam::label Foam::fsi::openBoundaries::feedAt
-(
-    const label sidei,
-    const point& p
-) const
-{
-    forAll(feeds_, i)
-    {
-        if
-        (
-            findIndex(sides_.patches(sidei), feeds_[i].patch()) >= 0
-         && feeds_[i].isBefore(p)
-        )
-        {
-            return i;
-        }
-    }
-    return -1;
-}
-
-
-void Foam::fsi::openBoundaries::warn(const label feedi)
-{
-    if (feedi >= 0)
-    {
-        ++nWarnings_;
-        WarningInFunction
-            << "Patch " << feeds_[feedi].patch() << " feeds objects: one that"
-            << " leaves through it has been pushed out by the flow." << nl
-            << "    Feed later (startTime), when the flow has settled"
-            << endl;
-    }
-}
-
-
-bool Foam::fsi::openBoundaries::removeObjects()
-{
-    DynamicList<label> leaving;
-    DynamicList<scalar> mine;
-    for (label objecti = 0; objecti < objects_.size(); ++objecti)
-    {
-        const label sidei = sideLeft(objecti);
-        if (sidei >= 0)
-        {
-            const point p(centreOf(objects_.surfaces().bounds(objecti)));
-            leaving.append(objecti);
-            mine.append(objects_.objectGroup(objecti));
-            mine.append(objects_.objectId(objecti));
-            mine.append(sidei);
-            mine.append(feedAt(sidei, p));
-            mine.append(p.x());
-            mine.append(p.y());
-            mine.append(p.z());
-        }
-    }
-    if (objects_.ranks().largest(leaving.size()) == 0)
-    {
-        return false;
-    }
-
-    // All ranks count and tell in the same order
-    const scalarList numbers(objects_.ranks().gathered(scalarList(mine)));
-    std::map<labelPair, label> order;
-    for (label i = 0; i < numbers.size(); i += 7)
-    {
-        order[labelPair(label(numbers[i]), label(numbers[i + 1]))] = i;
-    }
-    for (const auto& left : order)
-    {
-        const scalar* of = &numbers[left.second];
-        const label sidei = label(of[2]);
-        ++removed_[sidei];
-        Info<< "Object " << left.first.second() << " of shape "
-            << objects_.shape(left.first.first()).name() << " left through "
-            << nearestPatch
-               (
-                   grid_.mesh().boundaryMesh(),
-                   sides_.patches(sidei),
-                   point(of[4], of[5], of[6])
-               )
-            << ", " << removed_[sidei] << " so far" << endl;
-        warn(label(of[3]));
-    }
-    objects_.remove(leaving);
-    return true;
 }
 
 
@@ -239,6 +76,19 @@ Foam::fsi::openBoundaries::openBoundaries
             new objectFeed(grid, sides, objects, e.keyword(), e.dict())
         );
     }
+    if (sides.openPatches().size())
+    {
+        table_ = objectWriter::newTable
+        (
+            grid.mesh().time(),
+            "removed",
+            {
+                "time", "object", "shape", "patch",
+                "centroidX", "centroidY", "centroidZ",
+                "velocityX", "velocityY", "velocityZ"
+            }
+        );
+    }
     read();
 }
 
@@ -255,7 +105,7 @@ Foam::label Foam::fsi::openBoundaries::nRemoved(const Time& time)
 
 bool Foam::fsi::openBoundaries::update(const scalar time)
 {
-    bool changed = removeObjects();
+    bool changed = removeObjects(time);
     for (objectFeed& feed : feeds_)
     {
         changed = feed.update(time) || changed;

@@ -63,6 +63,14 @@ def check_uniform(report, folder):
         log = results.read(case, "log.fsiPisoFoam")
         report.check(f"{name} flow: the log tells that it left",
                      "left through" in log, "no")
+        rows = results.table(case, "removed.csv")
+        off = [abs(row["centroidX"] - 1.5 - SPEED*row["time"])
+               + abs(row["centroidY"] - 0.47)
+               + abs(row["velocityX"] - SPEED) for row in rows]
+        report.check(f"{name} flow: a table has where and when it left",
+                     len(rows) == 1 and off[0] < 1e-6
+                     and (rows[0]["object"], rows[0]["shape"],
+                          rows[0]["patch"]) == (0, "disc", "right"), rows)
 
 
 def check_inlets(report, folder):
