@@ -44,7 +44,7 @@ OTHERS = {
 }
 # Entries whose type in one class is not that of the call that reads them
 OWN = {
-    ("shapeMix", "shapes"): ("names with numbers", ""),
+    ("shapeParts", "shapes"): ("names with numbers", ""),
     ("shapeClasses", "density"): ("dictionary", ""),
     ("shapeClasses", "E"): ("dictionary", ""),
     ("surfaceFile", "piece"): ("whole number or all", ">= 1"),

@@ -33,51 +33,44 @@ static boundBox patchBounds(const polyMesh& mesh, const word& name)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::label Foam::fsi::objectFeed::readGroup(const dictionary& dict) const
+const Foam::dictionary& Foam::fsi::objectFeed::checked
+(
+    const dictionary& dict,
+    const direction nDims
+)
 {
     checkKeys
     (
         dict,
         {
-            "shape", "rate", fractionKey(objects_.nDims()), "velocity",
+            "shape", "shapes", "rate", fractionKey(nDims), "velocity",
             "angularVelocity", "velocityPerturbation", "randomRotation",
             "rotation", "minimumGap", "sideGap", "seed", "startTime",
             "maxAttempts"
         }
     );
-    const word shape(getEntry<word>(dict, "shape"));
-    const label groupi = objects_.findGroup(shape);
-    if (groupi < 0)
-    {
-        wordList shapes;
-        forAll(objects_.groups(), i)
-        {
-            shapes.append(objects_.shape(i).name());
-        }
-        FatalIOErrorInFunction(dict)
-            << "Unknown shape '" << shape << "' in entry 'shape' of dictionary "
-            << dict.name() << nl << "Valid shapes are " << flatOutput(shapes)
-            << "; shapes that are only fed need an entry in seedObjectsDict"
-            << " without a placement" << exit(FatalIOError);
-    }
-    return groupi;
+    return dict;
 }
 
 
 void Foam::fsi::objectFeed::check(const dictionary& dict) const
 {
-    const word fraction(fractionKey(shape_.nDims()));
+    const word fraction(fractionKey(objects_.nDims()));
     if (dict.found("rate") == dict.found(fraction))
     {
         FatalIOErrorInFunction(dict)
             << "Dictionary " << dict.name() << " needs either the entry 'rate'"
             << " or the entry '" << fraction << '\'' << exit(FatalIOError);
     }
-    checkFeedVelocity
-    (
-        dict, velocity_, side_, grid_, objects_.motion(group_),
-        max(nextTime_, grid_.mesh().time().value())
-    );
+    for (label i = 0; i < shapes_.size(); ++i)
+    {
+        checkFeedVelocity
+        (
+            dict, velocity_, side_, grid_, objects_.motion(shapes_.group(i)),
+            max(nextTime_, grid_.mesh().time().value())
+        );
+        checkWidth(dict, i);
+    }
     if (velocityPerturbation_ >= 1)
     {
         FatalIOErrorInFunction(dict)
@@ -85,15 +78,18 @@ void Foam::fsi::objectFeed::check(const dictionary& dict) const
             << " is " << velocityPerturbation_ << " but must be below 1"
             << exit(FatalIOError);
     }
-
-    checkWidth(dict);
 }
 
 
-void Foam::fsi::objectFeed::checkWidth(const dictionary& dict) const
+void Foam::fsi::objectFeed::checkWidth
+(
+    const dictionary& dict,
+    const label shapei
+) const
 {
     // How much wider than the patch in the best of rotations, in two
     // dimensions one degree apart
+    const closedSurface& shape = shapes_.surface(shapei);
     randomNumbers random(1);
     scalar least = GREAT;
     for (label degrees = 0; degrees < 180; ++degrees)
@@ -101,12 +97,12 @@ void Foam::fsi::objectFeed::checkWidth(const dictionary& dict) const
         const tensor R
         (
             !randomRotation_ ? rotation_
-          : shape_.nDims() == 2 ? rotationAboutZ(degrees)
+          : objects_.nDims() == 2 ? rotationAboutZ(degrees)
           : randomRotation(random, 3)
         );
         const vector more
         (
-            shape_.moved(R, Zero).bounds().span() - bounds_.span()
+            shape.moved(R, Zero).bounds().span() - bounds_.span()
         );
         scalar largest = -GREAT;
         for (direction d = 0; d < 3; ++d)
@@ -118,7 +114,7 @@ void Foam::fsi::objectFeed::checkWidth(const dictionary& dict) const
     if (least > -2*sideGap_)
     {
         FatalIOErrorInFunction(dict)
-            << "An object of shape " << objects_.shape(group_).name()
+            << "An object of shape " << shapes_.name(shapei)
             << " never fits through patch " << patch_ << ", "
             << bounds_.span() << " m: with the entry 'sideGap' " << sideGap_
             << " m on either side it is too wide by " << least + 2*sideGap_
@@ -138,7 +134,8 @@ bool Foam::fsi::objectFeed::due(const scalar time) const
         return false;
     }
     // One object more would not exceed the target by more than half of it
-    const scalar own = objects_.shape(group_).referenceVolume();
+    const label nexti = shapes_.group(shapes_.next());
+    const scalar own = objects_.shape(nexti).referenceVolume();
     scalar size = 0.5*own;
     forAll(objects_.groups(), groupi)
     {
@@ -147,7 +144,7 @@ bool Foam::fsi::objectFeed::due(const scalar time) const
            *objects_.shape(groupi).referenceVolume();
     }
     scalar domain = fraction_;
-    for (direction d = 0; d < shape_.nDims(); ++d)
+    for (direction d = 0; d < objects_.nDims(); ++d)
     {
         domain *= grid_.bounds().span()[d];
     }
@@ -172,16 +169,7 @@ Foam::fsi::objectFeed::objectFeed
     sides_(sides),
     side_(sides.findPatch(patch_)),
     bounds_(patchBounds(grid.mesh(), patch_)),
-    group_(readGroup(dict)),
-    shape_
-    (
-        SubList<point>
-        (
-            objects.shape(group_).points(),
-            objects.shape(group_).nBoundaryNodes()
-        ),
-        objects.shape(group_).faces()
-    ),
+    shapes_(objects, checked(dict, objects.nDims())),
     interval_(dict.found("rate") ? 1/readPositive(dict, "rate") : 0),
     fraction_(readNonNegative(dict, fractionKey(objects.nDims()), 0)),
     velocity_(readFinite(dict, "velocity")),
@@ -247,6 +235,7 @@ void Foam::fsi::objectFeed::read(const dictionary& dict)
     nDraws_ = getEntry<label>(dict, "draws");
     nextTime_ = getEntry<scalar>(dict, "nextTime");
     waiting_ = getEntry<Switch>(dict, "waiting");
+    shapes_.advance(nFed_);
 }
 
 

@@ -14,24 +14,20 @@ bool Foam::fsi::objectFeed::findPlace
 ) const
 {
     // Only objects within this reach can touch one that starts here
+    const closedSurface& shape = shapes_.surface(shapes_.next());
     const scalar reach =
-        shape_.bounds().mag() + minimumGap_ + 3*grid_.spacing();
+        shape.bounds().mag() + minimumGap_ + 3*grid_.spacing();
     const vector margin(reach, reach, reach);
-    const std::vector<closedSurface> others
-    (
-        nearSurfaces
-        (
-            objects_, boundBox(bounds_.min() - margin, bounds_.max() + margin)
-        )
-    );
+    const boundBox near(bounds_.min() - margin, bounds_.max() + margin);
+    const std::vector<closedSurface> others(nearSurfaces(objects_, near));
     const direction normal = side_/2;
     for (label i = 0; i < maxAttempts_; ++i)
     {
         rotation =
             randomRotation_
-          ? randomRotation(random, shape_.nDims())
+          ? randomRotation(random, objects_.nDims())
           : rotation_;
-        const boundBox box(shape_.moved(rotation, Zero).bounds());
+        const boundBox box(shape.moved(rotation, Zero).bounds());
 
         // Along the patch anywhere, and two cells outside it
         centre = centreOf(bounds_);
@@ -60,7 +56,7 @@ bool Foam::fsi::objectFeed::findPlace
           ? bounds_.max()[normal] + 2*grid_.spacing() - box.min()[normal]
           : bounds_.min()[normal] - 2*grid_.spacing() - box.max()[normal];
 
-        const closedSurface candidate(shape_.moved(rotation, centre));
+        const closedSurface candidate(shape.moved(rotation, centre));
         // An opening may be no rectangle
         bool free = !sides_.behindWall(candidate.points());
         for (const closedSurface& other : others)
@@ -87,14 +83,18 @@ void Foam::fsi::objectFeed::feed
     (
         velocity_
       + velocityPerturbation_*mag(velocity_)
-       *randomInBall(random, shape_.nDims())
+       *randomInBall(random, objects_.nDims())
     );
-    const label id =
-        objects_.append(group_, centre, rotation, velocity, angularVelocity_);
+    const label shapei = shapes_.next();
+    const label id = objects_.append
+    (
+        shapes_.group(shapei), centre, rotation, velocity, angularVelocity_
+    );
     ++nFed_;
-    Info<< "Object " << id << " of shape " << objects_.shape(group_).name()
-        << " fed at " << patch_ << ", centre " << centre << ", " << nFed_
-        << " so far" << endl;
+    shapes_.advance(1);
+    Info<< "Object " << id << " of shape " << shapes_.name(shapei) << " fed at "
+        << patch_ << ", centre " << centre << ", " << nFed_ << " so far"
+        << endl;
 }
 
 

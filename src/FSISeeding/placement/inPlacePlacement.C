@@ -2,7 +2,7 @@
 
 #include "inPlacePlacement.H"
 #include "openfoamVersion.H"
-#include "shapeMix.H"
+#include "shapeParts.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * * //
@@ -35,10 +35,10 @@ Foam::fsi::inPlacePlacement::inPlacePlacement
 void Foam::fsi::inPlacePlacement::place(packing& space)
 {
     const word shape(getEntry<word>(dict(), "shape"));
-    const labelList shapes(shapeMix::named(shape, space));
+    const labelList shapes(shapeParts::named(shape, space.shapeNames()));
     if (shapes.empty())
     {
-        shapeMix::fail(dict(), "shape", shape, space);
+        shapeParts::fail(dict(), "shape", shape, space.shapeNames());
     }
 
     DynamicList<placedObject> objects(shapes.size());

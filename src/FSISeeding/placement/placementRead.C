@@ -4,7 +4,7 @@
 #include "dictionaryCheck.H"
 #include "openfoamVersion.H"
 #include "readBetween.H"
-#include "shapeMix.H"
+#include "shapeParts.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -59,7 +59,7 @@ Foam::label Foam::fsi::placement::findShape
     const label shapei = indexOf(space.shapeNames(), shape);
     if (shapei < 0)
     {
-        shapeMix::fail(dict_, "shape", shape, space);
+        shapeParts::fail(dict_, "shape", shape, space.shapeNames());
     }
     return shapei;
 }

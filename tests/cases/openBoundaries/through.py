@@ -11,6 +11,7 @@ import sys
 
 import fsiCase
 import membranes
+import mixture
 import results
 from openChannel import CELLS, OPEN, PLUG, SPEED, channel
 
@@ -273,6 +274,7 @@ def main(folder):
     check_crowd(report, folder)
     check_names(report, folder)
     membranes.check(report, folder)
+    mixture.check(report, folder)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "feedShapes.H"
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::wordList Foam::fsi::feedShapes::names(const population& objects)
+{
+    wordList result(objects.groups().size());
+    forAll(result, groupi)
+    {
+        result[groupi] = objects.shape(groupi).name();
+    }
+    return result;
+}
+
+
+void Foam::fsi::feedShapes::setNext()
+{
+    scalar most = -GREAT;
+    const scalar number = sum(nFed_) + 1;
+    forAll(nFed_, i)
+    {
+        const scalar behind = number*given_.parts[i] - nFed_[i];
+        if (behind > most + SMALL*number)
+        {
+            most = behind;
+            next_ = i;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::fsi::feedShapes::feedShapes
+(
+    const population& objects,
+    const dictionary& dict
+)
+:
+    objects_(objects),
+    given_
+    (
+        dict,
+        names(objects),
+        "; shapes that are only fed need an entry in seedObjectsDict without a"
+        " placement"
+    ),
+    nFed_(given_.shapes.size(), 0),
+    next_(0)
+{
+    for (const label groupi : given_.shapes)
+    {
+        const shapeTemplate& shape = objects.shape(groupi);
+        surfaces_.emplace_back
+        (
+            SubList<point>(shape.points(), shape.nBoundaryNodes()),
+            shape.faces()
+        );
+    }
+    setNext();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fsi::feedShapes::advance(const label number)
+{
+    for (label i = 0; i < number; ++i)
+    {
+        ++nFed_[next_];
+        setNext();
+    }
+}
+
+
+// ************************************************************************* //
