@@ -190,6 +190,19 @@ Foam::string Foam::fsi::runLog::warnings() const
 }
 
 
+Foam::string Foam::fsi::runLog::heldBy() const
+{
+    string text;
+    for (const auto& each : holders_)
+    {
+        text +=
+            (text.empty() ? ", held by " : ", ") + each.first + " ("
+          + std::to_string(each.second) + ")";
+    }
+    return text;
+}
+
+
 void Foam::fsi::runLog::report(Ostream& os) const
 {
     if (nSteps_ == 0)
@@ -199,7 +212,7 @@ void Foam::fsi::runLog::report(Ostream& os) const
     os  << nl << "Summary of " << nSteps_ << " steps to time "
         << nameOf(time_) << nl
         << "    time step         " << digits(smallestStep_).c_str() << " to "
-        << digits(worst_.deltaT).c_str() << " s" << nl
+        << digits(worst_.deltaT).c_str() << " s" << heldBy().c_str() << nl
         << "    Courant number    up to " << digits(maxCourant_).c_str() << nl
         << "    in a step        ";
     for (const word& name : names_)

@@ -158,27 +158,44 @@ Foam::scalar Foam::fsi::timeStep::limit
 (
     const scalar courantNo,
     const fsiStep& current
-) const
+)
 {
     const scalar dt = time_.deltaTValue();
-    scalar limit = byCourant(courantNo);
+    scalar limit = GREAT;
+    const auto atMost = [&](const scalar length, const char* name)
+    {
+        if (length < limit)
+        {
+            limit = length;
+            holder_ = name;
+        }
+    };
+    atMost(byCourant(courantNo), "maxCo");
     if (maxDiffusion_ > 0)
     {
-        limit = min(limit, maxDiffusion_/diffusionRate(current.objects()));
+        atMost
+        (
+            maxDiffusion_/diffusionRate(current.objects()), "maxDiffusion"
+        );
     }
     // OpenFOAM stretches steps by up to half
-    limit = min(limit, longestMembraneStep(current.objects())/1.5);
+    atMost(longestMembraneStep(current.objects())/1.5, "membranes");
     const scalar error = current.error().value();
     if (maxTimeError_ > 0 && error > 0)
     {
         const scalar part = maxTimeError_/error;
-        limit = min
-        (
-            limit,
-            dt*max(current.error().order() == 1 ? sqrt(part) : cbrt(part), 0.5)
-        );
+        const bool first = current.error().order() == 1;
+        atMost(dt*max(first ? sqrt(part) : cbrt(part), 0.5), "maxTimeError");
     }
     return limit;
+}
+
+
+bool Foam::fsi::timeStep::grows(const scalar limit) const
+{
+    return
+        level_ > levelOf(limit, maxDeltaT_)
+     && step(level_ - 1) <= 0.9*limit;
 }
 
 
@@ -206,7 +223,7 @@ Foam::scalar Foam::fsi::timeStep::choose(const scalar limit)
     {
         level_ = lowest;
     }
-    else if (level_ > lowest && step(level_ - 1) <= 0.9*limit)
+    else if (grows(limit))
     {
         --level_;
     }
@@ -232,7 +249,14 @@ Foam::scalar Foam::fsi::timeStep::next
     {
         return dt;
     }
-    const scalar chosen = choose(limit(max(fluid, solid), current));
+    const scalar longest = limit(max(fluid, solid), current);
+    const scalar chosen = choose(longest);
+    log.heldBy
+    (
+        level_ == 0 ? "maxDeltaT"
+      : grows(longest) ? "slow growth"
+      : holder_
+    );
     checkCollapse(chosen, fluid, solid, current);
     return chosen;
 }

@@ -28,6 +28,13 @@ def numbers(pattern, log):
     return [float(x) for x in re.findall(rf"(?m)^{pattern}([0-9.e+-]+)", log)]
 
 
+def holders(log):
+    """Limits that held the step, by their numbers of steps."""
+    line = re.search(r"(?m)^    time step .*held by (.*)$", log)
+    found = re.findall(r"([\w ]+) \((\d+)\)", line.group(1) if line else "")
+    return {name.strip(): int(number) for name, number in found}
+
+
 def box(folder, name, **control):
     """A disc in a driven cavity."""
     return fsiCase.Case(
@@ -55,6 +62,10 @@ def check_start(report, folder):
                  1 < growth < 2**0.25*(1 + 1e-9), f"{growth}")
     report.check("the Courant number rises to its limit and stays there",
                  0.8*MAX_CO < max(courant) < 1.2*MAX_CO, f"{max(courant)}")
+    held = holders(log)
+    report.check("the summary tells that the step grew until maxCo held it",
+                 set(held) == {"slow growth", "maxCo"}
+                 and sum(held.values()) == len(steps), held)
 
 
 def check_restart(report, folder):
@@ -102,6 +113,7 @@ def check_error(report, folder):
                  log.count("The step is too large") == 1,
                  f"{log.count('The step is too large')} times")
     report.check("its steps are counted", "Time error above" in log)
+    report.check("nothing held it", holders(log) == {}, holders(log))
     report.check("its error is seen", 0.02 < max(errors(case)[20:]) < 0.2,
                  f"{max(errors(case)[20:])}")
 
@@ -114,6 +126,9 @@ def check_error(report, folder):
     print(f"    {len(found)} steps, error {min(late):.3g} to {max(late):.3g}")
     report.check("the limit is kept", 0.1*MAX_ERROR < max(late)
                  < 1.3*MAX_ERROR, f"{max(late)}")
+    held = holders(log)
+    report.check("the summary names the limit",
+                 held["maxTimeError"] > 0.5*len(found), held)
     report.check("no warning with the limit",
                  "The step is too large" not in log)
     before = numbers("Time error: ", log)
