@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "openBoundaries.H"
-#include "objectWriter.H"
 #include "dictionaryCheck.H"
+#include "errorOf.H"
+#include "objectWriter.H"
+#include "openfoamMesh.H"
 #include "openfoamVersion.H"
 #include "stateFile.H"
 #include "userVariables.H"
