@@ -181,7 +181,7 @@ def run(path, *command, ranks=1, limit=600, seconds=None):
         text = stream.read()
     if status != 0:
         cut = text.find("--> FOAM FATAL")
-        end = text[cut:cut + 600] if cut >= 0 else text[-300:]
+        end = text[cut:cut + 600] if cut >= 0 else text[-2000:]
         raise RuntimeError(f"{' '.join(command)} ended with {status}: "
                            + " ".join(end.split()))
     return text
