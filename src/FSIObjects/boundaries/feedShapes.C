@@ -4,21 +4,10 @@
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::wordList Foam::fsi::feedShapes::names(const population& objects)
-{
-    wordList result(objects.groups().size());
-    forAll(result, groupi)
-    {
-        result[groupi] = objects.shape(groupi).name();
-    }
-    return result;
-}
-
-
 void Foam::fsi::feedShapes::setNext()
 {
     scalar most = -GREAT;
-    const scalar number = sum(nFed_) + 1;
+    const scalar number = nFed() + 1;
     forAll(nFed_, i)
     {
         const scalar behind = number*given_.parts[i] - nFed_[i];
@@ -43,7 +32,7 @@ Foam::fsi::feedShapes::feedShapes
     given_
     (
         dict,
-        names(objects),
+        objects.shapeNames(),
         "; shapes that are only fed need an entry in seedObjectsDict without a"
         " placement"
     ),
@@ -53,11 +42,7 @@ Foam::fsi::feedShapes::feedShapes
     for (const label groupi : given_.shapes)
     {
         const shapeTemplate& shape = objects.shape(groupi);
-        surfaces_.emplace_back
-        (
-            SubList<point>(shape.points(), shape.nBoundaryNodes()),
-            shape.faces()
-        );
+        surfaces_.emplace_back(shape.boundaryPoints(), shape.faces());
     }
     setNext();
 }

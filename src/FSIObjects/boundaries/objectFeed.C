@@ -181,7 +181,6 @@ Foam::fsi::objectFeed::objectFeed
     sideGap_(readNonNegative(dict, "sideGap", minimumGap_)),
     seed_(dict.lookupOrDefault<label>("seed", 1)),
     maxAttempts_(readBetween(dict, "maxAttempts", 100, 1, 1000000)),
-    nFed_(0),
     nDraws_(0),
     nextTime_(readScalarBetween(dict, "startTime", 0, -GREAT, GREAT)),
     waiting_(false)
@@ -208,7 +207,7 @@ bool Foam::fsi::objectFeed::update(const scalar time)
     {
         waiting_ = !found;
         Info<< "Feed at " << patch_ << (found ? " waited" : " waits")
-            << " for room, fed " << nFed_ << " so far" << endl;
+            << " for room, fed " << nFed() << " so far" << endl;
     }
     if (found)
     {
@@ -221,7 +220,7 @@ bool Foam::fsi::objectFeed::update(const scalar time)
 
 void Foam::fsi::objectFeed::write(Ostream& os) const
 {
-    putEntry(os, "fed", nFed_);
+    putEntry(os, "fed", nFed());
     putEntry(os, "draws", nDraws_);
     putEntry(os, "nextTime", nextTime_);
     putEntry(os, "waiting", Switch(waiting_));
@@ -231,11 +230,10 @@ void Foam::fsi::objectFeed::write(Ostream& os) const
 void Foam::fsi::objectFeed::read(const dictionary& dict)
 {
     checkKeys(dict, {"fed", "draws", "nextTime", "waiting"});
-    nFed_ = getEntry<label>(dict, "fed");
     nDraws_ = getEntry<label>(dict, "draws");
     nextTime_ = getEntry<scalar>(dict, "nextTime");
     waiting_ = getEntry<Switch>(dict, "waiting");
-    shapes_.advance(nFed_);
+    shapes_.advance(getEntry<label>(dict, "fed"));
 }
 
 

@@ -90,10 +90,9 @@ void Foam::fsi::objectFeed::feed
     (
         shapes_.group(shapei), centre, rotation, velocity, angularVelocity_
     );
-    ++nFed_;
     shapes_.advance(1);
     Info<< "Object " << id << " of shape " << shapes_.name(shapei) << " fed at "
-        << patch_ << ", centre " << centre << ", " << nFed_ << " so far"
+        << patch_ << ", centre " << centre << ", " << nFed() << " so far"
         << endl;
 }
 

@@ -30,18 +30,6 @@ static vector row
 }
 
 
-//- Name the shapes, which cells have as labels
-static void setShapeNames(polyData& data, const population& objects)
-{
-    wordList& names = data.words("shapeNames");
-    names.resize(objects.groups().size());
-    forAll(names, groupi)
-    {
-        names[groupi] = objects.shape(groupi).name();
-    }
-}
-
-
 //- Values at the nodes of a shape from those of the segments
 static scalarField meanOfSegments
 (
@@ -158,7 +146,7 @@ Foam::fsi::polyData Foam::fsi::surfacePolyData(const population& objects)
     const bool planar = surfaces.nDims() == 2;
 
     polyData data(polyData::POLYGONS);
-    setShapeNames(data, objects);
+    data.words("shapeNames") = objects.shapeNames();
     data.points = surfaces.points();
     data.pointVectors("velocity") = surfaces.velocities();
 
@@ -199,7 +187,7 @@ Foam::fsi::polyData Foam::fsi::springPolyData(const population& objects)
     }
 
     polyData data(polyData::LINES);
-    setShapeNames(data, objects);
+    data.words("shapeNames") = objects.shapeNames();
     data.points.resize(objects.nNodes());
     data.pointVectors("velocity").resize(objects.nNodes());
     data.cells.resize(nSprings);

@@ -184,16 +184,14 @@ bool Foam::fsi::bodyGroups::stays(const label groupi) const
 }
 
 
-Foam::label Foam::fsi::bodyGroups::find(const word& shapeName) const
+Foam::wordList Foam::fsi::bodyGroups::shapeNames() const
 {
-    for (label groupi = 0; groupi < size(); ++groupi)
+    wordList names(size());
+    forAll(names, groupi)
     {
-        if (shape(groupi).name() == shapeName)
-        {
-            return groupi;
-        }
+        names[groupi] = shape(groupi).name();
     }
-    return -1;
+    return names;
 }
 
 
@@ -203,7 +201,7 @@ Foam::label Foam::fsi::bodyGroups::append
     const dictionary& motion
 )
 {
-    if (find(shape->name()) >= 0)
+    if (isIn(shapeNames(), shape->name()))
     {
         FatalErrorInFunction
             << "There is a shape named " << shape->name() << " already"

@@ -14,7 +14,7 @@ void Foam::fsi::heldObjects::appendSurfaces
 )
 {
     const shapeTemplate& s = groups_.shape(groupi);
-    pointField boundary(SubField<point>(s.points(), s.nBoundaryNodes()));
+    pointField boundary(s.boundaryPoints());
     if (nDims_ == 2)
     {
         boundary.replace(vector::Z, planeZ_);

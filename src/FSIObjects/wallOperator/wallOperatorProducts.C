@@ -149,6 +149,10 @@ void Foam::fsi::wallOperator::forFilmConductances
     const std::function<void(const label, const scalar)>& conducts
 ) const
 {
+    if (geometry_.films().faces().empty())
+    {
+        return;
+    }
     filmConductance films(atWalls_.size());
     List<FixedList<label, 2>> cells(geometry_.films().faces().size());
     forAll(cells, i)

@@ -115,11 +115,7 @@ void Foam::fsi::seeding::addShapes(const dictionary& dict)
         const shapeTemplate& shape = objects_.groups().last().shape();
         surfaces.append
         (
-            closedSurface
-            (
-                SubList<point>(shape.points(), shape.nBoundaryNodes()),
-                shape.faces()
-            )
+            closedSurface(shape.boundaryPoints(), shape.faces())
         );
         names.append(shape.name());
         attached.append

@@ -9,15 +9,6 @@ namespace Foam
 namespace fsi
 {
 
-//- Boundary nodes of the reference shape
-static pointField boundaryPoints(const shapeTemplate& shape)
-{
-    return pointField
-    (
-        SubList<point>(shape.points(), shape.nBoundaryNodes())
-    );
-}
-
 //- Boundary nodes near to clamped ones, in the rest shape
 static labelList nodesNearClamps
 (
@@ -54,7 +45,7 @@ Foam::fsi::groupContact::groupContact
 )
 :
     group_(group),
-    rest_(boundaryPoints(group.shape())),
+    rest_(group.shape().boundaryPoints()),
     areas_
     (
         contactBodies::nodeAreas

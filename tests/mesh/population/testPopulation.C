@@ -96,8 +96,8 @@ TEST(Population, numbersObjectsGroupAfterGroup)
 
     EXPECT_EQ(objects->size(), 5);
     EXPECT_EQ(ids(*objects), labelList({0, 1, 2, 3, 4}));
-    EXPECT_EQ(objects->findGroup("ellipse"), 1);
-    EXPECT_EQ(objects->findGroup("square"), -1);
+    EXPECT_EQ(fsi::indexOf(objects->shapeNames(), word("ellipse")), 1);
+    EXPECT_EQ(fsi::indexOf(objects->shapeNames(), word("square")), -1);
     EXPECT_EQ(objects->objectGroup(4), 1);
     EXPECT_EQ(objects->objectCopy(4), 1);
     EXPECT_EQ(objects->objectIndex(1, 1), 4);
