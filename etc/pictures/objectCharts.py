@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Charts of etc/plot from the columns of objects.csv, units and means."""
 
+import csv
 import statistics
 
 import tables
@@ -65,22 +66,50 @@ def mean_square_displacement(axes, lines, name="msd"):
     axes.set_ylabel("mean-square displacement [m$^2$]")
 
 
+def grouped(lines, *names):
+    """The lines with each value of the columns, in the order of the values."""
+    found = {}
+    for line in lines:
+        found.setdefault(tuple(line[n] for n in names), []).append(line)
+    return dict(sorted(found.items()))
+
+
 def object_curves(axes, lines, name, along="time"):
-    """A line per object; of many the median as well, over the time."""
-    ids = sorted({line["object"] for line in lines})
-    many = len(ids) > NAMED_OBJECTS
-    for number in ids:
-        own = [line for line in lines if line["object"] == number]
+    """A line per object; of many the median of each shape as well, over the
+    time."""
+    objects = grouped(lines, "object")
+    many = len(objects) > NAMED_OBJECTS
+    for (number,), own in objects.items():
         axes.plot(tables.column(own, along), tables.column(own, name),
                   label=None if many else f"{int(number)}", linewidth=1,
                   **({"color": "0.7"} if many else {}))
     if many and along == "time":
-        times = sorted({line["time"] for line in lines})
-        axes.plot(times, [
-            statistics.median(tables.column(
-                [line for line in lines if line["time"] == time], name))
-            for time in times], color="C0", label="median")
+        for (shape,), alike in grouped(lines, "shape").items():
+            times = grouped(alike, "time")
+            axes.plot([time for time, in times],
+                      [statistics.median(tables.column(own, name))
+                       for own in times.values()],
+                      label=f"median of {shape}")
     axes.set_ylabel(unit_of(name))
     if axes.get_legend_handles_labels()[0]:
         axes.legend(title=None if many else "object", ncols=2,
                     fontsize="small")
+
+
+def write_extremes(path, lines, name):
+    """A line of CSV per object: smallest, mean and largest value of a column,
+    and when the object had the smallest and the largest one."""
+    with open(path, "w", encoding="ascii", newline="") as stream:
+        table = csv.writer(stream)
+        table.writerow(["object", "shape", "first", "last", "smallest", "at",
+                        "mean", "largest", "largestAt"])
+        for (number, shape), own in grouped(lines, "object", "shape").items():
+            times = tables.column(own, "time")
+            values = tables.column(own, name)
+            least, most = values.index(min(values)), values.index(max(values))
+            table.writerow(
+                [int(number), shape, times[0], times[-1],
+                 *(f"{value:.6g}" for value in
+                   (values[least], times[least], statistics.mean(values),
+                    values[most], times[most]))])
+    print(path)

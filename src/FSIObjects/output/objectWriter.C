@@ -185,7 +185,8 @@ bool Foam::fsi::objectWriter::writeShapes
 (
     const scalar time,
     const population& objects,
-    const vector& period
+    const vector& period,
+    const vectorField& tractions
 )
 {
     bool overlaps = false;
@@ -205,7 +206,9 @@ bool Foam::fsi::objectWriter::writeShapes
     }
     if (surfaceSeries_.valid())
     {
-        surfaceSeries_().write(surfacePolyData(objects), time);
+        polyData surfaces(surfacePolyData(objects));
+        surfaces.pointVectors("traction") = tractions;
+        surfaceSeries_().write(surfaces, time);
     }
     if (springSeries_.valid())
     {

@@ -7,6 +7,7 @@
 #include "openfoamMesh.H"
 #include "restartFiles.H"
 #include "sumOverRanks.H"
+#include "surfaceTractions.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -167,15 +168,12 @@ void Foam::fsi::stepOutput::writeRows(const vectorField& hydrodynamicForce)
     }
     if (rheology_.valid())
     {
-        symmTensorField stresslets, contactStresses;
-        objectStresses
-        (
-            objects_, hydrodynamicForce, stresslets, contactStresses
-        );
+        symmTensorField fluid, contact;
+        objectStresses(objects_, hydrodynamicForce, fluid, contact);
         forAll(records, objecti)
         {
-            records[objecti].stresslet = stresslets[objecti];
-            records[objecti].contactStress = contactStresses[objecti];
+            records[objecti].stresslet = fluid[objecti];
+            records[objecti].contactStress = contact[objecti];
         }
     }
     // Pairs of an object that no one pushes are at the ranks of the others
@@ -232,20 +230,17 @@ void Foam::fsi::stepOutput::write
 )
 {
     report(error);
+    const fvMesh& mesh = objects_.grid().mesh();
+    const scalar time = mesh.time().value();
     if (frame_.valid())
     {
         const movingFrame& frame = objects_.frame();
-        const vector& w = frame.velocity();
-        const vector& x = frame.position();
-        csvTable::rowWriter row(frame_());
-        row << objects_.grid().mesh().time().value() << w.x() << w.y()
-            << w.z() << x.x() << x.y() << x.z();
+        frame_().row() << time << frame.velocity() << frame.position();
     }
     if (rheology_.valid() && writer_.stepWanted())
     {
         writeRheology(hydrodynamicForce);
     }
-    const fvMesh& mesh = objects_.grid().mesh();
     const bool output = mesh.time().writeTime();
     if (output || writer_.objectsWanted())
     {
@@ -260,7 +255,13 @@ void Foam::fsi::stepOutput::write
     const population& all = objects_.bodies().whole(storage);
     const bool overlaps = writer_.writeShapes
     (
-        mesh.time().value(), all, objects_.images().period()
+        time,
+        all,
+        objects_.images().period(),
+        gatheredTractions
+        (
+            objects_.bodies(), hydrodynamicForce, objects_.grid().thickness()
+        )
     );
     if (overlaps)
     {

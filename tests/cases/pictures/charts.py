@@ -2,6 +2,8 @@
 """Checks of what draws and reads the tables and the log of a case: etc/plot,
 etc/monitor with a gnuplot that keeps what it is to draw, foamLog."""
 
+import csv
+import json
 import os
 import re
 import shutil
@@ -11,6 +13,21 @@ import sys
 
 ETC = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                    "../../../etc")
+
+# Prints the lines of a chart by their labels
+MEDIANS = """
+import json, sys
+import matplotlib
+matplotlib.use("Agg")
+from matplotlib import pyplot
+sys.path.insert(0, sys.argv[1])
+import objectCharts, tables
+axes = pyplot.subplots()[1]
+objectCharts.object_curves(
+    axes, tables.rows(sys.argv[2], "objects.csv"), "velocity")
+print(json.dumps({line.get_label(): list(line.get_ydata())
+                  for line in axes.lines}))
+"""
 
 
 def contents(*path):
@@ -33,7 +50,7 @@ def plot(case, *options):
     """Runs etc/plot; status, names of pictures without folders, output."""
     done = subprocess.run([os.path.join(ETC, "plot"), case, *options],
                           capture_output=True, text=True, check=False)
-    pictures = done.stdout.split()
+    pictures = [p for p in done.stdout.split() if not p.endswith(".csv")]
     sound = all(min(png_size(contents(p))) > 300 for p in pictures)
     return (done.returncode if sound else "not a picture",
             [os.path.basename(p) for p in pictures],
@@ -76,6 +93,43 @@ def check_plots(report, case):
     status, names, text = plot(os.path.dirname(case))
     report.check("a folder without tables is refused",
                  status == 1 and "global.csv" in text, text)
+
+
+def check_objects(report, folder):
+    """Many objects of two shapes: a median of each, and what each object had
+    at most. Object 3 is there from the second time on."""
+    path = os.path.join(folder, "postProcessing/fsiObjects/0")
+    os.makedirs(path)
+    with open(os.path.join(path, "global.csv"), "w",
+              encoding="ascii") as stream:
+        stream.write("time,gap\n1,1\n2,1\n3,1\n")
+    with open(os.path.join(path, "objects.csv"), "w",
+              encoding="ascii") as stream:
+        stream.write("time,object,shape,velocityX,velocityY,velocityZ\n"
+                     + "".join(
+                         f"{t},{i},{'bead' if i < 6 else 'cell'},"
+                         f"{3*(t if t < 3 else 0)},{4*(t if t < 3 else 0)},0\n"
+                         for t in (1, 2, 3) for i in range(12)
+                         if i != 3 or t > 1))
+    status, names, text = plot(folder, "-column", "velocity")
+    with open(os.path.join(folder, "postProcessing/plots/velocity.csv"),
+              encoding="ascii") as stream:
+        rows = {row["object"]: row for row in csv.DictReader(stream)}
+    report.check("smallest, mean and largest values of each object",
+                 status == 0 and names == ["velocity.png"] and len(rows) == 12
+                 and list(rows["0"].values())
+                 == ["0", "bead", "1.0", "3.0", "0", "3", "5", "10", "2"]
+                 and list(rows["3"].values())
+                 == ["3", "bead", "2.0", "3.0", "0", "3", "5", "10", "2"]
+                 and rows["6"]["shape"] == "cell", (text, rows))
+    done = subprocess.run(
+        ["/usr/bin/python3", "-c", MEDIANS, os.path.join(ETC, "pictures"),
+         folder], capture_output=True, text=True, check=False)
+    found = json.loads(done.stdout or "{}")
+    report.check("a median of each shape",
+                 found.get("median of bead") == [5, 10, 0]
+                 and found.get("median of cell") == [5, 10, 0],
+                 (found, done.stderr))
 
 
 def check_rheology(report, case, folder):

@@ -186,6 +186,7 @@ def main(folder):
     check_animations(report, case)
     charts.check_plots(report, case)
     charts.check_rheology(report, case, os.path.join(folder, "rheology"))
+    charts.check_objects(report, os.path.join(folder, "objects"))
     charts.check_monitor(report, case, os.path.join(folder, "stub"))
     charts.check_tables(report, os.path.join(folder, "tables"))
 

@@ -212,10 +212,11 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
             writer.writeStep(record);
         }
         const List<objectRecord> records(objectRecord::sample(*objects, Zero));
+        const vectorField tractions(objects->surfaces().points());
         writer.writeRows(0.25, records);
-        writer.writeShapes(0.25, *objects, vector::zero);
+        writer.writeShapes(0.25, *objects, vector::zero, tractions);
         writer.writeRows(0.75, records);
-        writer.writeShapes(0.75, *objects, vector::zero);
+        writer.writeShapes(0.75, *objects, vector::zero, tractions);
     }
     if (!Pstream::master())
     {
@@ -248,6 +249,7 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
     EXPECT_NE(springs.find("Name='strain'"), std::string::npos);
     const std::string surfaces = readText(folder/"surfaces_000000.vtp");
     EXPECT_NE(surfaces.find("NumberOfPolys='5'"), std::string::npos);
+    EXPECT_NE(surfaces.find("Name='traction'"), std::string::npos);
     EXPECT_NE(surfaces.find("Name='velocity'"), std::string::npos);
 }
 

@@ -1,77 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Objects owned by ranks, in a box of 24 x 12 cells that these share along x
+// Objects owned by ranks
 
-#include "boxMesh.H"
-#include "openfoamVersion.H"
-#include "someObjects.H"
-#include "sumOverRanks.H"
+#include "discRow.H"
 
 #include <gtest/gtest.h>
 
 using namespace Foam;
 using namespace Foam::fsi;
-
-namespace
-{
-
-//- Discs of a shape of someObjects in a row, read from files. Each has an owner
-//  if there are several ranks, and a step of second order behind it
-struct discRow
-{
-    boxMesh box;
-    cartesianMesh grid;
-    autoPtr<population> objects;
-
-    explicit discRow(const scalar distance)
-    :
-        box(labelVector(24, 12, 1), 2),
-        grid(box.mesh()),
-        objects(someObjects::make(box.time()))
-    {
-        objects->remove(identityList(objects->size()));
-        for (label i = 0; i < 8; ++i)
-        {
-            objects->append
-            (
-                0, point(1.5 + 3*i, 6, 0), tensor::I, vector::zero, vector::zero
-            );
-        }
-        bodyGroup& group = objects->groups()[0];
-        group.begin(0, 0.1, 1);
-        group.move(0.1, group.velocities());
-        for (label copyi = 0; copyi < group.size(); ++copyi)
-        {
-            const label id = group.objectIds()[copyi];
-            group.contactRange(copyi) = id + 0.25;
-            group.contactForce().middleCols(2*copyi, 2).setConstant(id - 0.5);
-        }
-        objects->writeShapes();
-        objects->write();
-        overRanks(label(1), sumOp<label>());
-        objects.reset(new population(box.time(), grid));
-        objects->share(distance);
-    }
-
-    //- Ids of all owned objects, sorted
-    labelList owned() const
-    {
-        DynamicList<label> ids;
-        for (label objecti = 0; objecti < objects->size(); ++objecti)
-        {
-            ids.append(objects->objectId(objecti));
-        }
-        labelList all;
-        for (const labelList& ofRank : gatherOverRanks(labelList(ids)))
-        {
-            all.append(ofRank);
-        }
-        sort(all);
-        return all;
-    }
-};
-
-} // End anonymous namespace
 
 
 TEST(objectRanks, eachObjectHasOneOwnerThatHoldsItsCentre)
