@@ -14,6 +14,7 @@ READERS = {
     "readBetween": ("whole number", "{0} to {1}"),
     "readAtLeast": ("whole number", ">= {0}"),
     "readFinite": ("vector", ""),
+    "readLengths": ("vector", "> 0"),
     "readChoice": ("word", ""),
     "readName": ("word", ""),
     "readAngle": ("number", ""),

@@ -3,7 +3,6 @@
 #include "ellipsoid.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
-#include "readBetween.H"
 #include "mathematicalConstants.H"
 #include "openfoamVersion.H"
 
@@ -23,15 +22,9 @@ namespace fsi
 
 Foam::fsi::ellipsoid::ellipsoid(const dictionary& dict)
 :
-    semiAxes_(readFinite(dict, "semiAxes"))
+    semiAxes_(readLengths(dict, "semiAxes"))
 {
     checkKeys(dict, {"type", "semiAxes"});
-    if (!(cmptMin(semiAxes_) > 1e-50))
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry 'semiAxes' in dictionary " << dict.name() << " is "
-            << semiAxes_ << " but all must be > 0" << exit(FatalIOError);
-    }
 }
 
 

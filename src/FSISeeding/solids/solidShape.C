@@ -3,6 +3,7 @@
 #include "solidShape.H"
 #include "DynamicList.H"
 #include "mathematicalConstants.H"
+#include "readBetween.H"
 #include "surfaceThickness.H"
 #include "surfaceTools.H"
 #include "tetrahedralisation.H"
@@ -74,6 +75,23 @@ static void refine(shapeMesh& surface)
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::vector Foam::fsi::solidShape::readLengths
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    const vector lengths(readFinite(dict, key));
+    if (!(cmptMin(lengths) > 1e-50))
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << key << "' in dictionary " << dict.name() << " is "
+            << lengths << " but all must be > 0" << exit(FatalIOError);
+    }
+    return lengths;
+}
+
 
 Foam::fsi::shapeMesh Foam::fsi::solidShape::sphereImage
 (

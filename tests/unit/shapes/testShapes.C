@@ -22,6 +22,7 @@ const string circle("type circle; radius 0.1;");
 const string ellipse("type ellipse; semiAxes (0.2 0.1);");
 const string star("type star; radius 0.1; amplitude 0.3; points 5;");
 const string biconcave("type biconcave; radius 3.91;");
+const string rod("type rectangle; length 0.4; width 0.1; edgeRadius 0.05;");
 
 } // End anonymous namespace
 
@@ -30,7 +31,7 @@ const string biconcave("type biconcave; radius 3.91;");
 
 TEST(shape, outlineIsUniformClosedAndCounterClockwise)
 {
-    for (const string& text : {circle, ellipse, star, biconcave})
+    for (const string& text : {circle, ellipse, star, biconcave, rod})
     {
         const autoPtr<planarShape> body(shapeOf(text));
         const pointField fine(body->curve());
@@ -223,6 +224,11 @@ TEST(badShape, isRefusedWithFileAndKey)
     expectError("type star; radius 1; amplitude 1;", {"amplitude"});
     expectError("type star; radius 1; points 1;", {"points"});
     expectError("type biconcave;", {"radius"});
+    expectError("type rectangle; length 1;", {"width"});
+    expectError
+    (
+        "type rectangle; length 1; width 2; edgeRadius 0.51;", {"edgeRadius"}
+    );
     expectError(circle, {"type", "circle", "sphere", "surface"}, 3);
     EXPECT_EQ(errorOf(circle, 2), "");
 }

@@ -40,6 +40,9 @@ std::vector<string> shapesIn(const scalar unit)
         "type torus; radius" + length(0.1) + "; tubeRadius" + length(0.04)
       + ';',
         "type biconcave; radius" + length(0.2) + ';',
+        "type cylinder; radius" + length(0.1) + "; length" + length(0.3)
+      + "; edgeRadius" + length(0.05) + ';',
+        "type box; size (" + length(0.2) + length(0.1) + length(0.1) + ");",
         "type surface; file \"" + file + "\";"
     };
 }

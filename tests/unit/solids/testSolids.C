@@ -35,6 +35,27 @@ scalar prolateArea()
 }
 
 
+//- Volume of a cylinder with round edges by Pappus' theorem: the section is a
+//  rectangle and, at the outside, one less wide and two quarters of a circle
+scalar coinVolume(const scalar R, const scalar L, const scalar r)
+{
+    const scalar a = R - r;
+    return
+        pi*sqr(a)*L
+      + constant::mathematical::twoPi
+       *((a + 0.5*r)*r*(L - 2*r) + (a + 4*r/(3*pi))*0.5*pi*sqr(r));
+}
+
+
+scalar coinArea(const scalar R, const scalar L, const scalar r)
+{
+    const scalar a = R - r;
+    return
+        2*pi*sqr(a) + 2*pi*R*(L - 2*r)
+      + constant::mathematical::twoPi*(a + 2*r/pi)*pi*r;
+}
+
+
 //- Shapes whose size is known in closed form, or from Evans and Fung
 const solidSample samples[] =
 {
@@ -47,7 +68,20 @@ const solidSample samples[] =
         "type torus; radius 0.1; tubeRadius 0.04;",
         2*pi*pi*0.1*0.0016, 4*pi*pi*0.1*0.04, 1, 0.08
     },
-    {"type biconcave; radius 3.91;", 94.10, 134.09, 0, 0.810}
+    {"type biconcave; radius 3.91;", 94.10, 134.09, 0, 0.810},
+    {
+        "type cylinder; radius 0.1; length 0.4;",
+        4e-3*pi, 0.1*pi, 0, 0.2
+    },
+    {
+        "type cylinder; radius 0.1; length 0.4; edgeRadius 0.1;",
+        2e-3*pi + 4e-3/3*pi, 0.08*pi, 0, 0.2
+    },
+    {
+        "type cylinder; radius 0.2; length 0.1; edgeRadius 0.03;",
+        coinVolume(0.2, 0.1, 0.03), coinArea(0.2, 0.1, 0.03), 0, 0.1
+    },
+    {"type box; size (0.4 0.2 0.3);", 0.024, 0.52, 0, 0.2}
 };
 
 const string star("type star; radius 0.1; amplitude 0.3; points 5;");
@@ -241,6 +275,14 @@ TEST(badShape, solidsAreRefusedWithFileAndKey)
     expectError("type torus; radius 1; tubeRadius 1;", {"tubeRadius"}, 3);
     expectError("type star; radius 1; points 1;", {"points"}, 3);
     expectError("type biconcave;", {"radius"}, 3);
+    expectError("type box; size (1 1 0);", {"size"}, 3);
+    expectError
+    (
+        "type cylinder; radius 1; length 3; edgeRadius 1.1;",
+        {"edgeRadius"},
+        3
+    );
+    expectError("type cylinder; radius 1; width 2;", {"width", "radius"}, 3);
 
     // A sphere in millimetres
     try
