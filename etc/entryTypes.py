@@ -48,6 +48,7 @@ OWN = {
     ("shapeParts", "shapes"): ("names with numbers", ""),
     ("shapeClasses", "density"): ("dictionary", ""),
     ("shapeClasses", "E"): ("dictionary", ""),
+    ("shapeClasses", "size"): ("dictionary", ""),
     ("surfaceFile", "piece"): ("whole number or all", ">= 1"),
 }
 
