@@ -45,19 +45,30 @@ def with_images(data, periods):
     return copies.GetOutput()
 
 
+def array_of(data, name):
+    """Values at points, else of cells; None if there are none."""
+    return (data.GetPointData().GetArray(name)
+            or data.GetCellData().GetArray(name))
+
+
 def magnitude_range(data, name):
-    """Range of a field on the points: of the magnitude if it is a vector."""
-    array = data.GetPointData().GetArray(name)
+    """Range of a field: of the magnitude if it is a vector."""
+    array = array_of(data, name)
     return array.GetRange(-1 if array.GetNumberOfComponents() > 1 else 0)
 
 
-def colour_table(bounds):
-    """Colours from pale to dark blue, so that the objects stand out."""
+# First and last colour of a field: pale to dark blue, so that objects stand
+# out, and of surfaces, yellow to violet, so that they do so on white
+FIELD = ((0.97, 0.98, 1), (0.11, 0.31, 0.58))
+SURFACE = ((0.99, 0.86, 0.3), (0.3, 0.05, 0.4))
+
+
+def colour_table(bounds, ends=FIELD):
+    """Colours from one to another."""
     table = vtkCommonCore.vtkLookupTable()
     table.SetNumberOfTableValues(256)
     for i in range(256):
-        s = i/255
-        table.SetTableValue(i, 0.97 - 0.86*s, 0.98 - 0.67*s, 1 - 0.42*s, 1)
+        table.SetTableValue(i, *(a + (b - a)*i/255 for a, b in zip(*ends)), 1)
     table.SetRange(*bounds)
     return table
 
@@ -122,17 +133,28 @@ class Picture:
         self.add(self.placed(source.GetOutput(), (0, 0, 0), 6))
 
     def add_field(self, plane, name):
-        """A field as colours; the magnitude of a vector."""
+        """A field as colours."""
         actor = self.placed(plane)
+        self.paint(actor, plane, name)
+        self.add(actor)
+
+    def paint(self, actor, data, name):
+        """Gives an actor the colours of an array, if there is one: of the
+        magnitude of a vector."""
+        array = array_of(data, name)
+        if not array:
+            return
         mapper = actor.GetMapper()
         mapper.ScalarVisibilityOn()
-        mapper.SetScalarModeToUsePointFieldData()
+        if data.GetPointData().GetArray(name):
+            mapper.SetScalarModeToUsePointFieldData()
+        else:
+            mapper.SetScalarModeToUseCellFieldData()
         mapper.SelectColorArray(name)
         mapper.SetLookupTable(self.table)
         mapper.UseLookupTableScalarRangeOn()
-        if plane.GetPointData().GetArray(name).GetNumberOfComponents() > 1:
+        if array.GetNumberOfComponents() > 1:
             self.table.SetVectorModeToMagnitude()
-        self.add(actor)
 
     def add_bar(self, name):
         bar = vtkRenderingAnnotation.vtkScalarBarActor()
@@ -209,16 +231,21 @@ class Picture:
         actor.GetMapper().SetScalarModeToUseCellData()
         return actor
 
-    def add_objects(self, surfaces):
-        """Each object filled in the colour of its number, with its outline."""
+    def add_objects(self, surfaces, name):
+        """Each object filled in the colour of its number, with its outline; or
+        grey, with an outline in the colours of an array."""
         triangles = vtkFiltersCore.vtkTriangleFilter()
         triangles.SetInputData(surfaces)
         triangles.Update()
-        self.add_inside(self.coloured(triangles.GetOutput(), 3))
+        filled = triangles.GetOutput()
+        self.add_inside(self.placed(filled, (0.85, 0.85, 0.85), 3) if name
+                        else self.coloured(filled, 3))
 
         edges = self.placed(surfaces, (0.15, 0.15, 0.15), 4)
         edges.GetProperty().SetRepresentationToWireframe()
-        self.add_inside(edges)
+        if name:
+            self.paint(edges, surfaces, name)
+        self.add_inside(edges, 4 if name else 1)
 
     def add_springs(self, springs):
         actor = self.placed(springs, (0.3, 0.3, 0.3), 3.5)

@@ -46,10 +46,13 @@ class Scene(Picture):
         source.Update()
         self.add(actor_of(source.GetOutput(), (0, 0, 0)))
 
-    def add_objects(self, surfaces):
-        """Each object as a solid in the colour of its number, in light. Its
-        parts beyond the box are cut off, as they are shown across the seam."""
+    def add_objects(self, surfaces, name):
+        """Each object as a solid in the colour of its number or of an array,
+        in light. Its parts beyond the box are cut off, as they are shown across
+        the seam."""
         actor = self.coloured(self.smooth(surfaces))
+        if name:
+            self.paint(actor, surfaces, name)
         light = actor.GetProperty()
         light.LightingOn()
         light.SetInterpolationToPhong()

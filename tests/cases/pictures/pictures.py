@@ -65,6 +65,25 @@ def check_pictures(report, case):
                  status == 2 and ".png" in text, text)
 
 
+def check_surface(report, case):
+    """The outline of an object has colours from yellow to violet."""
+    code = ("import sys; from PIL import Image; "
+            "a = Image.open(sys.argv[1]).convert('RGB'); "
+            "print(len({r for r, g, b in a.crop((0, 0, a.width//2, a.height))"
+            ".getdata() if b < 110 and abs((r - 76)/176 - (g - 13)/206) "
+            "< 0.03 and abs((r - 76)/176 - (102 - b)/25) < 0.2}))")
+    status, text = render(case, "-surface", "velocity", "-times", f"{END}")
+    done = subprocess.run(["/usr/bin/python3", "-c", code, text.strip()],
+                          capture_output=True, text=True, check=False)
+    report.check("objects in the colours of an array of their surfaces",
+                 status == 0 and text.endswith(f"velocity_{END}.png\n")
+                 and int(done.stdout or 0) > 10, text + done.stdout
+                 + done.stderr)
+    status, text = render(case, "-surface", "colour")
+    report.check("an array that there is not is refused",
+                 status == 1 and "no field colour" in text, text)
+
+
 def check_shape_names(report, case):
     """VTK reads the names of the shapes from the objects' files."""
     code = (
@@ -193,6 +212,7 @@ def main(folder):
     case = os.path.join(folder, "box")
     check_log(report, shear_box(case))
     charts.check_foam_log(report, case)
+    check_surface(report, case)
     check_parallel(report, case)
     check_seam(report, case)
 
