@@ -169,7 +169,7 @@ class Fluid:
         return reader
 
     def patches(self, kind):
-        """Names and boxes of the patches of a type."""
+        """Names and faces of the patches of a type."""
         if not self.reader:
             return []
         reader = self.open("group/" + kind, not self.has_mesh)
@@ -181,7 +181,7 @@ class Fluid:
             found.append((
                 blocks.GetCurrentMetaData().Get(
                     vtkCommonDataModel.vtkCompositeDataSet.NAME()),
-                blocks.GetCurrentDataObject().GetBounds()))
+                blocks.GetCurrentDataObject()))
             blocks.GoToNextItem()
         return found
 
@@ -193,7 +193,8 @@ class Fluid:
         """Length of the mesh in each direction, 0 where no cyclic patches join
         it."""
         periods = [0, 0, 0]
-        for _, box in self.patches("cyclic"):
+        for _, faces in self.patches("cyclic"):
+            box = faces.GetBounds()
             for i in range(3):
                 length = bounds[2*i + 1] - bounds[2*i]
                 if abs(box[2*i + 1] - box[2*i]) < 1e-5*length:
@@ -203,9 +204,16 @@ class Fluid:
     def walls(self, axis, bounds):
         """Names of the walls at the lower and at the upper end of an axis."""
         low, high = bounds[2*axis:2*axis + 2]
-        return [[name for name, box in self.patches("wall")
-                 if max(abs(v - at) for v in box[2*axis:2*axis + 2])
-                 < 1e-5*(high - low)] for at in (low, high)]
+
+        def reaches(faces, end):
+            boxes = (faces.GetCell(i).GetBounds()
+                     for i in range(faces.GetNumberOfCells()))
+            return any(max(abs(v - end) for v in box[2*axis:2*axis + 2])
+                       < 1e-5*(high - low) for box in boxes)
+
+        walls = self.patches("wall")
+        return [[name for name, faces in walls if reaches(faces, end)]
+                for end in (low, high)]
 
     def bounds(self, time):
         """The box of the mesh."""

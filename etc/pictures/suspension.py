@@ -48,6 +48,24 @@ class Section:
             return numpy.pi*numpy.diff(ends**2)*self.length
         return numpy.diff(ends)*self.depth*self.length
 
+    def binned(self, place, values, ends):
+        """Means of cells' values in each bin, between those beside it where it
+        has no cell."""
+        number, _ = numpy.histogram(place, ends)
+        total, _ = numpy.histogram(place, ends, weights=values)
+        some = number > 0
+        middles = 0.5*(ends[1:] + ends[:-1])
+        return numpy.interp(middles, middles[some],
+                            total[some]/number[some])
+
+    def mean(self, place, values, ends):
+        """Mean over the section of cells' values: of a tube by its rings,
+        since cells cross its wall."""
+        if not self.tube:
+            return values.mean()
+        sizes = self.sizes(ends)
+        return (self.binned(place, values, ends)*sizes).sum()/sizes.sum()
+
     def newtonian(self, velocity):
         """Shear rate at the walls of a Newtonian flow of this mean velocity
         that a force drives."""
@@ -149,7 +167,9 @@ def section_of(polygons, shape, bounds):
                         & (middles[:, i] < bounds[2*i + 1])
                         for i in range(3)], axis=0)
     y, z = middles[inside, 1], middles[inside, 2]
-    _, n_y, n_z = normals(corners[inside]).T
+    n_x, n_y, n_z = normals(corners[inside]).T
+    if abs(n_x).sum() > 0.05*numpy.sqrt(n_x**2 + n_y**2 + n_z**2).sum():
+        raise OSError(f"the section of {shape} is not the same along x")
     volume = 0.5*(y*n_y + z*n_z).sum()
     if volume == 0:
         raise OSError(f"no wall of shape {shape} in the mesh")

@@ -82,16 +82,17 @@ def steps_of(n, *values):
     return f"nonuniform List<scalar> {n} ({text})"
 
 
-def box(folder, name, solid=False, surfaces="", of_even="", **changes):
+def box(folder, name, solid=False, surfaces="", of_even="",
+        values=(1, 0, 2, 0.5), **changes):
     """Bodies that fall and bend in a closed box with a lid that moves, with a
-    scalar that differs and a uniform one."""
+    scalar that starts with values in equal parts and a uniform one."""
     cells = (24, 16, 16) if solid else (48, 32)
     n = cells[0]*cells[1]*(cells[2] if solid else 1)
     z = 0.5 if solid else 0
     return ScalarCase(
         os.path.join(folder, name),
         (("dye", f"diffusivity 1e-3; surfaces {{ {surfaces} }}",
-          steps_of(n, 1, 0, 2, 0.5), {}),
+          steps_of(n, *values), {}),
          ("even", f"diffusivity 1e-3; surfaces {{ {of_even} }}", "uniform 3",
           {})),
         box=(0, 0, 0, 1.5, 1, 1) if solid else (0, 0, 1.5, 1), cells=cells,

@@ -41,10 +41,23 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::scalarTransport::weightsOf
 {
     auto tweights = newTmp<surfaceScalarField>(scheme.weights(C_));
     surfaceScalarField& weights = tweights.ref();
+    // The limiter of OpenFOAM takes the sign of the difference of two values.
+    // Where they are equal the two sides of a coupled face would take another
+    // one, and the face would not keep the amount
     const auto limit =
-        [&](const scalar a, const scalar b, const scalar f, scalar& weight)
+        [&]
+        (
+            const FixedList<scalar, 2>& shares,
+            const FixedList<scalar, 2>& C,
+            const scalar f,
+            scalar& weight
+        )
     {
-        if (min(a, b) < leastShare)
+        if
+        (
+            min(shares[0], shares[1]) < leastShare
+         || mag(C[0] - C[1]) <= 1e-12*max(mag(C[0]), mag(C[1]))
+        )
         {
             weight = f >= 0 ? 1 : 0;
         }
@@ -55,7 +68,10 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::scalarTransport::weightsOf
     {
         limit
         (
-            share[own[facei]], share[nei[facei]], flux[facei], weights[facei]
+            {share[own[facei]], share[nei[facei]]},
+            {C_[own[facei]], C_[nei[facei]]},
+            flux[facei],
+            weights[facei]
         );
     }
     forAll(flux.boundaryField(), patchi)
@@ -64,12 +80,21 @@ Foam::tmp<Foam::surfaceScalarField> Foam::fsi::scalarTransport::weightsOf
         if (pf.coupled())
         {
             const fvPatchScalarField& pv = share.boundaryField()[patchi];
+            const fvPatchScalarField& pC = C_.boundaryField()[patchi];
             const scalarField inside(pv.patchInternalField());
             const scalarField across(pv.patchNeighbourField());
+            const scalarField C(pC.patchInternalField());
+            const scalarField acrossC(pC.patchNeighbourField());
             scalarField& ofPatch = weights.boundaryFieldRef()[patchi];
             forAll(pf, i)
             {
-                limit(inside[i], across[i], pf[i], ofPatch[i]);
+                limit
+                (
+                    {inside[i], across[i]},
+                    {C[i], acrossC[i]},
+                    pf[i],
+                    ofPatch[i]
+                );
             }
         }
     }

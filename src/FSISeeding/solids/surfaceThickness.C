@@ -22,6 +22,10 @@ namespace surfaceThickness
 //- Turn from which on a place is a corner [rad]
 static const scalar cornerAngle = degToRad(15.0);
 
+//- Angle up to which a face is across from the edge of a notch [rad]: it is 45
+//  degrees inside a right angle, and near 90 where the edge ends at a side
+static const scalar notchAngle = degToRad(60.0);
+
 //- Number of places below which the thickness is measured, at least
 static const label nSamples = 10000;
 
@@ -58,8 +62,8 @@ public:
     }
 
     //- Distance from a place on some faces to the next face along a direction
-    //  [m]; GREAT if there is none, or if one face is given that it does not
-    //  face to within 15 degrees
+    //  [m]; GREAT if there is none, or if it does not face the place: to within
+    //  cornerAngle, notchAngle if there are two faces
     scalar across
     (
         const point& from,
@@ -97,9 +101,8 @@ scalar thicknessSearch::across
     const label metFacei = *met - triangles_.begin();
     const vector n(normal(surface_, metFacei));
     const scalar slope = along & n;
-    const bool faces =
-        otherFacei >= 0 ? slope != 0
-      : slope > std::cos(cornerAngle)*mag(along)*mag(n);
+    const scalar angle = otherFacei >= 0 ? notchAngle : cornerAngle;
+    const bool faces = slope > std::cos(angle)*mag(along)*mag(n);
     const point& corner = surface_.points[surface_.faces[metFacei][0]];
     return faces ? mag(along)*mag(((corner - from) & n)/slope) : GREAT;
 }

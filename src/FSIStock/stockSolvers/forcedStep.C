@@ -227,11 +227,14 @@ void Foam::fsi::forcedStep::force(fvVectorMatrix& UEqn)
     coefficient_.setSize(cells.size());
     coefficientField_.primitiveFieldRef() = Zero;
     const scalar V = objects_.grid().cellVolume();
+
+    // With the parts of the patches: those between ranks count as faces inside
+    const scalarField diagonal(UEqn.D());
     forAll(cells, i)
     {
         const label celli = cells[i];
         coefficient_[i] =
-            UEqn.diag()[celli]*fractions[i]
+            diagonal[celli]*fractions[i]
            /(1 - fractions[i] + 1/strength_);
         UEqn.diag()[celli] += coefficient_[i];
         UEqn.source()[celli] += coefficient_[i]*cellVelocity_[i];

@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 
+import acrossChannel
 import charts
 from charts import ETC, contents, png_size
 import fsiCase
@@ -208,6 +209,8 @@ def main(folder):
     charts.check_objects(report, os.path.join(folder, "objects"))
     charts.check_monitor(report, case, os.path.join(folder, "stub"))
     charts.check_tables(report, os.path.join(folder, "tables"))
+
+    acrossChannel.check_profiles(report, folder)
 
     case = os.path.join(folder, "box")
     check_log(report, shear_box(case))

@@ -14,7 +14,9 @@
    and Weber (1978), 1 + (1 + Pe)^1/3 Re^0.077, within 3 %.
 4. The amount in the fluid changes by what surfaces give it, also where they
    move: a disc of a fixed value, an ellipse with a flux.
-5. Heat moves the fluid: the flow in a square between a hot and a cold wall
+5. From nothing, so that neighbour cells are equal: the cuts between three ranks
+   change neither the field nor the amount, and no value is negative.
+6. Heat moves the fluid: the flow in a square between a hot and a cold wall
    (de Vahl Davis, 1983, doi 10.1002/fld.1650030305).
 """
 
@@ -24,7 +26,7 @@ import sys
 
 import fsiCase
 import results
-from scalarCase import SIDES, ScalarCase, ball, box, keeps
+from scalarCase import SIDES, ScalarCase, apart, ball, box, keeps
 from scalarFlows import SHERWOOD, nusselt, sherwood
 
 
@@ -108,8 +110,30 @@ def given(report, folder):
                  f"{min(r['least'] for r in rows)}")
 
 
-def buoyancy(report, folder):
+def from_nothing(report, folder):
     """Check 5."""
+    cases = []
+    for n in (1, 3):
+        case = box(folder, f"nothing{n}", values=(0,),
+                   surfaces="disc { type fixedValue; value 2; }",
+                   U_tolerance=1e-11, endTime=0.03, writeInterval=3)
+        case.run("fsiPisoFoam", ranks=case.decompose(1, n))
+        if n > 1:
+            case.run("reconstructPar", "-latestTime")
+        rows = results.table(case.path, "dye.csv")
+        lost = abs(rows[-1]["amount"]/(0.01*sum(r["disc"] for r in rows)) - 1)
+        report.check(f"from nothing on {n} ranks: amount", lost < 1e-10,
+                     f"{lost}")
+        least = min(r["least"] for r in rows)
+        report.check(f"from nothing on {n} ranks: bounds", least > -1e-11,
+                     f"{least}")
+        cases.append(case)
+    change = apart(*cases, "dye")
+    report.check("from nothing: ranks", change < 1e-8, f"{change}")
+
+
+def buoyancy(report, folder):
+    """Check 6."""
     one, two = (nusselt(folder, n)[0] for n in (16, 32))
     limit = two + (two - one)/3
     print(f"    Nusselt number {one:.4f}, {two:.4f}, in the limit "
@@ -125,6 +149,7 @@ def main(folder):
     report.attempt("fixed value", fixed_value, report, folder)
     report.attempt("stream", stream, report, folder)
     report.attempt("given", given, report, folder)
+    report.attempt("from nothing", from_nothing, report, folder)
     report.attempt("buoyancy", buoyancy, report, folder)
 
 
