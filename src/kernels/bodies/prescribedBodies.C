@@ -33,7 +33,7 @@ void Foam::fsi::prescribedBodies::displacement
     );
     const Eigen::MatrixXd turn
     (
-        motion_->turn(time, time + dt, nDims).topLeftCorner(nDims, nDims)
+        motion_->turn(time, time + dt).topLeftCorner(nDims, nDims)
     );
     d.resize(positions().rows(), positions().cols());
     for (label copyi = 0; copyi < size(); ++copyi)

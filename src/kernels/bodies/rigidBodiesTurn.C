@@ -66,7 +66,8 @@ void Foam::fsi::rigidBodies::constrain
             FatalErrorInFunction
                 << "Object " << objectIds()[copyi] << " of the rigid shape "
                 << shape().name() << " turns by about a radian or more in the"
-                << " time step " << dt << " s. Take a smaller deltaT"
+                << " time step " << dt << " s. Take a smaller deltaT. If bodies"
+                << " or walls squeeze it, there is no room for it"
                 << exit(FatalError);
         }
 

@@ -31,6 +31,7 @@ static Eigen::Vector3d toEigen(const Foam::vector& v)
 
 Foam::fsi::bodyMotion::bodyMotion(const dictionary& dict, wordList keys)
 :
+    name_(dict.name()),
     pivot_(readFinite(dict, "pivot", Zero)),
     start_(readScalarBetween(dict, "start", 0, -GREAT, GREAT)),
     ramp_(readScalarBetween(dict, "ramp", 0, 0, GREAT))
@@ -103,6 +104,24 @@ Foam::scalar Foam::fsi::bodyMotion::clock(const scalar time) const
 }
 
 
+void Foam::fsi::bodyMotion::checkPlane
+(
+    const vector& shift,
+    const vector& turn
+) const
+{
+    if (shift.z() != 0 || turn.x() != 0 || turn.y() != 0)
+    {
+        FatalErrorInFunction
+            << "The motion in dictionary " << name_ << " leaves the plane of"
+            << " this case in two dimensions: displacement " << shift
+            << " m, rotation vector " << turn << " rad" << nl
+            << "Bodies move along x and y and turn about z only"
+            << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::fsi::bodyMotion::place
@@ -127,26 +146,25 @@ Eigen::Vector3d Foam::fsi::bodyMotion::shift
     vector start, end, rotation;
     place(from, start, rotation);
     place(to, end, rotation);
+    if (nDims == 2)
+    {
+        checkPlane(end, rotation);
+    }
     const Eigen::Vector3d pivot(toEigen(pivot_));
-    const Eigen::Vector3d arm(pivot + turn(0, from, nDims)*pivot);
-    return toEigen(end - start) - turn(from, to, nDims)*arm;
+    const Eigen::Vector3d arm(pivot + turn(0, from)*pivot);
+    return toEigen(end - start) - turn(from, to)*arm;
 }
 
 
 Eigen::Matrix3d Foam::fsi::bodyMotion::turn
 (
     const scalar from,
-    const scalar to,
-    const label nDims
+    const scalar to
 ) const
 {
     vector shift, start, end;
     place(from, shift, start);
     place(to, shift, end);
-    if (nDims == 2)
-    {
-        start.x() = start.y() = end.x() = end.y() = 0;
-    }
     if (mag(start ^ end) <= SMALL*mag(start)*mag(end))
     {
         // About one axis, exact for small angles too

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "samples/samples.H"
+#include "errorOf.H"
 #include "mathematicalConstants.H"
 
 #include <gtest/gtest.h>
@@ -104,6 +105,28 @@ TEST(motion, prescribedBodyDoesNotRespond)
     v = force;
     group->constrain(1e-2, v);
     EXPECT_EQ((v - force).cwiseAbs().maxCoeff(), 0);
+}
+
+
+TEST(motion, staysInThePlane)
+{
+    auto shape = disc("density 1000; E 1e4;", "", 0.04);
+    for
+    (
+        const char* motion :
+        {
+            "type translating; velocity (1 0 0.5);",
+            "type rotating; angularVelocity (1 0 0);",
+            "type oscillating; amplitude (0 0 1); frequency 1;"
+        }
+    )
+    {
+        const std::string text
+        (
+            errorOf([&]() { moved(*shape, motion, 0.1, 1); }).message
+        );
+        EXPECT_NE(text.find("leaves the plane"), std::string::npos) << motion;
+    }
 }
 
 
