@@ -3,10 +3,8 @@
 #include "objectRecord.H"
 #include "csvTable.H"
 #include "faceStretches.H"
-#include "population.H"
+#include "gatheredObjects.H"
 #include "surfaceMoments.H"
-
-#include <map>
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -126,41 +124,19 @@ void Foam::fsi::objectRecord::exchange(copyValues& values)
 Foam::List<Foam::fsi::objectRecord> Foam::fsi::objectRecord::gathered
 (
     const population& objects,
-    List<objectRecord> mine
+    const List<objectRecord>& mine
 )
 {
-    if (objects.ranks().shared())
-    {
-        return mine;
-    }
-    copyValues sent;
-    forAll(mine, objecti)
-    {
-        label groupi = objects.objectGroup(objecti);
-        sent.number(groupi);
-        mine[objecti].exchange(sent);
-    }
-    copyValues received
+    return gatheredObjects
     (
-        objects.ranks().gathered(scalarList(sent.values()), false)
+        objects,
+        mine,
+        [&](copyValues& values, objectRecord& record, const label groupi)
+        {
+            record.exchange(values);
+            record.shape = objects.shape(groupi).name();
+        }
     );
-    std::map<labelPair, objectRecord> sorted;
-    while (received.more())
-    {
-        label groupi = 0;
-        objectRecord record;
-        received.number(groupi);
-        record.exchange(received);
-        record.shape = objects.shape(groupi).name();
-        sorted[labelPair(groupi, record.object)] = record;
-    }
-    List<objectRecord> all(sorted.size());
-    label next = 0;
-    for (const auto& each : sorted)
-    {
-        all[next++] = each.second;
-    }
-    return all;
 }
 
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "surfaceTractions.H"
-#include "copyValues.H"
-
-#include <map>
+#include "gatheredObjects.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -54,55 +52,38 @@ Foam::vectorField Foam::fsi::gatheredTractions
 )
 {
     const labelList& start = objects.surfaces().pointStart();
-    vectorField mine
+    const vectorField values
     (
         tractions(objects.surfaces(), objects.size(), force, thickness)
     );
-    if (objects.ranks().shared())
+    List<vectorField> mine(objects.size());
+    forAll(mine, objecti)
     {
-        return mine;
+        const label n = start[objecti + 1] - start[objecti];
+        mine[objecti] = SubField<vector>(values, n, start[objecti]);
     }
-    copyValues sent;
-    for (label objecti = 0; objecti < objects.size(); ++objecti)
-    {
-        label groupi = objects.objectGroup(objecti);
-        label id = objects.objectId(objecti);
-        sent.number(groupi);
-        sent.number(id);
-        for (label i = start[objecti]; i < start[objecti + 1]; ++i)
-        {
-            sent.vectorOf(mine[i]);
-        }
-    }
-    copyValues received
+    const List<vectorField> ofObjects
     (
-        objects.ranks().gathered(scalarList(sent.values()), false)
+        gatheredObjects
+        (
+            objects,
+            mine,
+            [&](copyValues& sent, vectorField& nodal, const label groupi)
+            {
+                nodal.setSize(objects.shape(groupi).nBoundaryNodes());
+                for (vector& value : nodal)
+                {
+                    sent.vectorOf(value);
+                }
+            }
+        )
     );
-    std::map<labelPair, vectorField> sorted;
-    label nNodes = 0;
-    while (received.more())
+    DynamicList<vector> all;
+    for (const vectorField& nodal : ofObjects)
     {
-        labelPair key;
-        received.number(key.first());
-        received.number(key.second());
-        vectorField& values = sorted[key];
-        values.setSize(objects.shape(key.first()).nBoundaryNodes());
-        nNodes += values.size();
-        for (vector& value : values)
-        {
-            received.vectorOf(value);
-        }
+        all.append(nodal);
     }
-    vectorField all(nNodes);
-    label next = 0;
-    for (const auto& each : sorted)
-    {
-        for (const vector& value : each.second)
-        {
-            all[next++] = value;
-        }
-    }
-    return all;
+    return vectorField(all);
 }
 
 
