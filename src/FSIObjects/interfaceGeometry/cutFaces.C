@@ -140,6 +140,7 @@ void Foam::fsi::cutFaces::placeWallFaces
     const cartesianBlock corners(grid_.corners());
     const Map<wallOrigin>& closed = open_.films().closed();
 
+    DynamicList<label> near;
     wallOrigins_.setSize(wallFaces_.size());
     forAll(wallFaces_, i)
     {
@@ -164,14 +165,20 @@ void Foam::fsi::cutFaces::placeWallFaces
         }
         w.area *= mag(faceAreas[w.face]);
         const label here = haloIndex[owner[w.face]];
-        w.place = nearestPlace
-        (
-            surfaces,
-            origin.middle,
-            nearestFace[here],
-            nearestFace[here + grid_.stepAcross(w.face)],
-            origin.surface
-        );
+        near.clear();
+        for (const label step : {0, grid_.stepAcross(w.face)})
+        {
+            const label nearest = nearestFace[here + step];
+            near.append(nearest);
+            // A cut through a corner lies inside it, near to both its faces
+            const label nEdges = origin.cut && nearest >= 0 ? grid_.nDims() : 0;
+            for (label edge = 0; edge < nEdges; ++edge)
+            {
+                near.append(surfaces.faceAcross(nearest, edge));
+            }
+        }
+        w.place =
+            nearestPlace(surfaces, origin.middle, near, origin.surface);
     }
 }
 

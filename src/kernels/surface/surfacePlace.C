@@ -39,20 +39,22 @@ struct nearestSoFar
         return true;
     }
 
-    //- Go on to a face across an edge of the face, or one that shares the node
-    //  at which the place lies, if it is nearer. Inside a corner both of its
-    //  faces have a place from which none at the edge between them is nearer
+    //- Go on to a face that shares the edge or node at which the place lies,
+    //  if that face is nearer
     bool step()
     {
         label nZero = 0;
         for (label i = 0; i < surfaces.nNodes(); ++i)
         {
-            const label next = surfaces.faceAcross(face, i);
-            if (next >= 0 && take(next, false))
+            if (weights[i] <= 0)
             {
-                return true;
+                const label next = surfaces.faceAcross(face, i);
+                if (next >= 0 && take(next, false))
+                {
+                    return true;
+                }
+                ++nZero;
             }
-            nZero += weights[i] <= 0;
         }
         if (nZero < 2)
         {
