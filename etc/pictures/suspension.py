@@ -58,14 +58,6 @@ class Section:
         return numpy.interp(middles, middles[some],
                             total[some]/number[some])
 
-    def mean(self, place, values, ends):
-        """Mean over the section of cells' values: of a tube by its rings,
-        since cells cross its wall."""
-        if not self.tube:
-            return values.mean()
-        sizes = self.sizes(ends)
-        return (self.binned(place, values, ends)*sizes).sum()/sizes.sum()
-
     def newtonian(self, velocity):
         """Shear rate at the walls of a Newtonian flow of this mean velocity
         that a force drives."""

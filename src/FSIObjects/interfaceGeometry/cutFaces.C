@@ -5,6 +5,7 @@
 #include "edgeCuts.H"
 #include "fetchAhead.H"
 #include "levelSetUpdate.H"
+#include "openfoamVersion.H"
 #include "surfaceSample.H"
 #include "wallTreatment.H"
 
@@ -169,10 +170,13 @@ void Foam::fsi::cutFaces::placeWallFaces
         for (const label step : {0, grid_.stepAcross(w.face)})
         {
             const label nearest = nearestFace[here + step];
+            if (nearest < 0 || isIn(near, nearest))
+            {
+                continue;
+            }
             near.append(nearest);
             // A cut through a corner lies inside it, near to both its faces
-            const label nEdges = origin.cut && nearest >= 0 ? grid_.nDims() : 0;
-            for (label edge = 0; edge < nEdges; ++edge)
+            for (label edge = 0; origin.cut && edge < grid_.nDims(); ++edge)
             {
                 near.append(surfaces.faceAcross(nearest, edge));
             }

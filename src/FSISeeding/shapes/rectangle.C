@@ -31,8 +31,8 @@ Foam::fsi::rectangle::rectangle(const dictionary& dict)
     {
         FatalIOErrorInFunction(dict)
             << "Entry 'edgeRadius' in dictionary " << dict.name() << " is "
-            << edgeRadius_ << " but must be at most half the length and half"
-            << " the width, " << most << exit(FatalIOError);
+            << edgeRadius_ << " but must be at most " << most << ", half of the"
+            << " smaller extent" << exit(FatalIOError);
     }
 }
 

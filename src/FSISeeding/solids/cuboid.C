@@ -3,7 +3,6 @@
 #include "cuboid.H"
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
-#include "unitConversion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -52,7 +51,7 @@ Foam::fsi::shapeMesh Foam::fsi::cuboid::surface() const
 
 Foam::scalar Foam::fsi::cuboid::cornerAngle() const
 {
-    return degToRad(40.0);
+    return edgeAngle();
 }
 
 

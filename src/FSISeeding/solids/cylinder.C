@@ -4,7 +4,6 @@
 #include "addToRunTimeSelectionTable.H"
 #include "dictionaryCheck.H"
 #include "mathematicalConstants.H"
-#include "unitConversion.H"
 
 // * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
 
@@ -118,7 +117,7 @@ Foam::scalar Foam::fsi::cylinder::cornerAngle() const
     return
         section_.edgeRadius() > 0
       ? solidShape::cornerAngle()
-      : degToRad(40.0);
+      : edgeAngle();
 }
 
 

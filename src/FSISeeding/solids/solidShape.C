@@ -7,6 +7,7 @@
 #include "surfaceThickness.H"
 #include "surfaceTools.H"
 #include "tetrahedralisation.H"
+#include "unitConversion.H"
 
 #include <map>
 
@@ -75,6 +76,12 @@ static void refine(shapeMesh& surface)
 
 
 // * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+Foam::scalar Foam::fsi::solidShape::edgeAngle()
+{
+    return degToRad(40.0);
+}
+
 
 Foam::vector Foam::fsi::solidShape::readLengths
 (
