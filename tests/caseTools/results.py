@@ -8,6 +8,10 @@ import os
 import re
 
 
+# Columns of words
+WORDS = ("shape", "patch", "place")
+
+
 def table(case, name):
     """Rows of postProcessing/fsiObjects/*/NAME as dictionaries of numbers."""
     rows = []
@@ -17,7 +21,7 @@ def table(case, name):
     ):
         with open(path, encoding="ascii") as stream:
             for row in csv.DictReader(stream):
-                rows.append({k: v if k in ("shape", "patch") else float(v)
+                rows.append({k: v if k in WORDS else float(v)
                              for k, v in row.items()})
     if not rows:
         raise ValueError(f"{case} has no {name}")

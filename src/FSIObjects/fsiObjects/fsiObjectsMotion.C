@@ -98,7 +98,7 @@ Foam::fsi::fsiObjects::groupNodal Foam::fsi::fsiObjects::forces
             );
             a -= frame_.acceleration();
         }
-        loads_.add(mesh_.time().value(), groupi, group, a, force[groupi]);
+        loads_.add(mesh_.time(), groupi, group, a, force[groupi]);
         group.prepareResponse(step.tau);
     }
     const stepTimer::section contact(timer_, stepTimer::part::contact);

@@ -13,19 +13,18 @@ namespace fsi
 {
 
 //- Add forces of the rigid rotation that a torque sets off in one copy, whose
-//  nodes have these masses and places
+//  nodes have these masses and places relative to the centre of mass
 static void addTorque
 (
     const Eigen::Map<const Eigen::VectorXd>& masses,
-    const Eigen::Ref<const Eigen::MatrixXd>& x,
+    const Eigen::Ref<const Eigen::MatrixXd>& fromCentre,
     const vector& torque,
     Eigen::Ref<Eigen::MatrixXd> force
 )
 {
-    const Eigen::Index nDims = x.cols();
-    Eigen::MatrixXd r(Eigen::MatrixXd::Zero(x.rows(), 3));
-    r.leftCols(nDims) =
-        x.rowwise() - (masses.transpose()*x/masses.sum()).eval().row(0);
+    const Eigen::Index nDims = fromCentre.cols();
+    Eigen::MatrixXd r(Eigen::MatrixXd::Zero(fromCentre.rows(), 3));
+    r.leftCols(nDims) = fromCentre;
     Eigen::Vector3d axis(0, 0, torque.z());
     if (nDims == 3)
     {
@@ -46,6 +45,7 @@ Foam::fsi::givenLoads::givenLoads(const population& bodies)
 :
     forces_(bodies.groups().size()),
     torques_(bodies.groups().size()),
+    loads_(bodies.groups().size()),
     pulls_(bodies.groups().size()),
     pulled_(bodies.groups().size())
 {
@@ -64,6 +64,8 @@ Foam::fsi::givenLoads::givenLoads(const population& bodies)
         {
             torques_.set(groupi, readFunction<vector>(motion, "torque"));
         }
+        loads_[groupi] =
+            objectLoad::newLoads(motion.subOrEmptyDict("loads"));
         readPulls
         (
             groupi,
@@ -92,10 +94,61 @@ void Foam::fsi::givenLoads::readPulls
         const dictionary& region = regionIn(dict, e);
         pulled_[groupi][pulli] = nodesInRegion
         (
-            region, shape.mesh().points, shape.nDims(), "force"
+            region, shape.mesh().points, shape.nDims(), {"force"}
         );
         forces.set(pulli, readFunction<vector>(region, "force"));
         ++pulli;
+    }
+}
+
+
+void Foam::fsi::givenLoads::addToCopies
+(
+    const Time& time,
+    const label groupi,
+    const bodyGroup& group,
+    Eigen::MatrixXd& force
+) const
+{
+    const PtrList<objectLoad>& loads = loads_[groupi];
+    if (loads.empty() && !torques_.set(groupi))
+    {
+        return;
+    }
+    const shapeTemplate& shape = group.shape();
+    const Eigen::Map<const Eigen::VectorXd> masses
+    (
+        shape.nodeMasses().cdata(), shape.nNodes()
+    );
+    const label nDims = shape.nDims();
+    for (label copyi = 0; copyi < group.size(); ++copyi)
+    {
+        const auto x = group.positions().middleCols(nDims*copyi, nDims);
+        const Eigen::RowVectorXd centre(masses.transpose()*x/masses.sum());
+        objectLoad::load sum;
+        if (torques_.set(groupi))
+        {
+            sum.torque = torques_[groupi].value(time.value());
+        }
+        objectLoad::state object
+        {
+            group.objectIds()[copyi], shape.mass(), Zero,
+            group.velocity(copyi), group.angularVelocity(copyi)
+        };
+        for (label d = 0; d < nDims; ++d)
+        {
+            object.centre[direction(d)] = centre[d];
+        }
+        for (const objectLoad& each : loads)
+        {
+            each.add(object, time, sum);
+        }
+        auto nodal = force.middleCols(nDims*copyi, nDims);
+        for (label d = 0; d < nDims; ++d)
+        {
+            nodal.col(d) += masses*(sum.force[direction(d)]/masses.sum());
+        }
+        addTorque(masses, x.rowwise() - centre, sum.torque, nodal);
     }
 }
 
@@ -104,7 +157,7 @@ void Foam::fsi::givenLoads::readPulls
 
 void Foam::fsi::givenLoads::add
 (
-    const scalar time,
+    const Time& time,
     const label groupi,
     const bodyGroup& group,
     const vector& acceleration,
@@ -119,26 +172,20 @@ void Foam::fsi::givenLoads::add
     vector a(acceleration);
     if (forces_.set(groupi))
     {
-        a += forces_[groupi].value(time)/group.shape().mass();
+        a += forces_[groupi].value(time.value())/group.mass();
     }
     for (Eigen::Index column = 0; column < force.cols(); ++column)
     {
         force.col(column) += masses*a[direction(column % nDims)];
     }
-    for (label copyi = 0; torques_.set(groupi) && copyi < group.size(); ++copyi)
-    {
-        addTorque
-        (
-            masses,
-            group.positions().middleCols(nDims*copyi, nDims),
-            torques_[groupi].value(time),
-            force.middleCols(nDims*copyi, nDims)
-        );
-    }
+    addToCopies(time, groupi, group, force);
     forAll(pulls_[groupi], pulli)
     {
         const labelList& nodes = pulled_[groupi][pulli];
-        const vector each(pulls_[groupi][pulli].value(time)/nodes.size());
+        const vector each
+        (
+            pulls_[groupi][pulli].value(time.value())/nodes.size()
+        );
         for (Eigen::Index column = 0; column < force.cols(); ++column)
         {
             for (const label nodei : nodes)

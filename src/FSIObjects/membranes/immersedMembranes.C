@@ -4,6 +4,31 @@
 #include "readBetween.H"
 #include "SubField.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+
+//- Warn of a membrane that is much heavier or lighter than the fluid
+static void checkDensity(const bodyGroup& group, const scalar density)
+{
+    const scalar excess = group.shape().density()/density - 1;
+    if (!group.hasWalls() && mag(excess) > 0.3)
+    {
+        WarningInFunction
+            << "The fluid inside membranes of shape " << group.shape().name()
+            << " has " << excess + 1 << " times the density of the fluid"
+            << " around. It has its weight, but the inertia of the fluid"
+            << " around: such objects accelerate wrongly" << nl << endl;
+    }
+}
+
+} // End namespace fsi
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void Foam::fsi::immersedMembranes::findPassing()
@@ -55,6 +80,7 @@ Foam::fsi::immersedMembranes::immersedMembranes
     for (const bodyGroup& group : bodies_.groups())
     {
         any = any || !group.hasWalls();
+        checkDensity(group, fluid_.density);
     }
     if (any && !bodies_.onlyMembranes())
     {

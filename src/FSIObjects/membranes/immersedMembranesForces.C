@@ -27,7 +27,11 @@ void Foam::fsi::immersedMembranes::addWeight
         const Eigen::MatrixXd x(group.positions().middleCols(nDims*i, nDims));
         Eigen::MatrixXd area(Eigen::MatrixXd::Zero(x.rows(), nDims));
         bodyVolume::addGradient(shape.faces(), shape.thickness(), x, area);
-        force.middleCols(nDims*i, nDims) += (x*along).asDiagonal()*area;
+        // Any constant makes the same sum; that of the middle leaves least
+        // force across the sheet
+        const Eigen::VectorXd pressure(x*along);
+        force.middleCols(nDims*i, nDims) +=
+            (pressure.array() - pressure.mean()).matrix().asDiagonal()*area;
     }
 }
 

@@ -166,8 +166,9 @@ void Foam::fsi::membraneContact::add
             << "The time step " << deltaT << " s is too long for the forces"
             << " between membranes: dt s |dp/dg|/(mu h) is " << largest
             << " but must be " << stepLimit << " at most" << nl
-            << "Take a step of " << deltaT*stepLimit/largest << " s or less,"
-            << " a smaller adhesionEnergy or a larger width"
+            << "Take a step of " << deltaT*stepLimit/largest << " s or less"
+            << " (less still where they come nearer), a smaller adhesionEnergy"
+            << " or a larger width"
             << exit(FatalError);
     }
 }

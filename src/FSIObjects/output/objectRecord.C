@@ -39,6 +39,7 @@ Foam::fsi::objectRecord::sample
         r.halfAxes = m.halfLengths();
         r.longAxis = m.longAxis();
         r.shortAxis = m.shortAxis(surfaces.nDims());
+        r.stretch = max(faceStretches(objects, objecti).larger);
         r.deformation = m.deformation(surfaces.nDims());
         r.flowAngle = std::acos(min(r.longAxis.x(), scalar(1)));
         const symmTensor& M = m.moments();
@@ -83,7 +84,6 @@ void Foam::fsi::objectRecord::setSolid
         std::atan2(d.x(), d.z()),
         std::atan2(d.y(), d.x())
     );
-    stretch = max(faceStretches(objects, objecti).larger);
 }
 
 
@@ -166,7 +166,7 @@ Foam::wordList Foam::fsi::objectRecord::columns
             "forceX", "forceY", "forceZ",
             "contacts", "smallestGap",
             "torqueX", "torqueY", "torqueZ",
-            "deformation"
+            "deformation", "stretch"
         })
     );
     if (nDims == 3)
@@ -178,7 +178,7 @@ Foam::wordList Foam::fsi::objectRecord::columns
                 "flowAngle", "halfAxisA", "halfAxisB", "halfAxisC",
                 "longAxisX", "longAxisY", "longAxisZ",
                 "shortAxisX", "shortAxisY", "shortAxisZ",
-                "inclination", "phaseX", "phaseY", "phaseZ", "stretch"
+                "inclination", "phaseX", "phaseY", "phaseZ"
             })
         );
     }
@@ -223,11 +223,12 @@ void Foam::fsi::objectRecord::write
     {
         row << inclination << phase;
     }
-    row << force << contacts << smallestGap << torque << deformation;
+    row << force << contacts << smallestGap << torque << deformation
+        << stretch;
     if (nDims == 3)
     {
         row << flowAngle << halfAxes << longAxis << shortAxis
-            << inclination << phases << stretch;
+            << inclination << phases;
     }
     row << unwrapped << contactForce;
     for (direction i = 0; stresses && i < symmTensor::nComponents; ++i)

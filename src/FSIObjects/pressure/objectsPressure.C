@@ -35,8 +35,12 @@ static dictionary checkedControls(const volScalarField& p)
             << " response; 'solver " << solver << "' of " << p.name()
             << " is for coupling weak" << nl << endl;
     }
-    // Objects bound the number of iterations, not the large levels
-    controls.add("wCycleCells", multigridHierarchy::controls().gatherCells);
+    if (p.mesh().nGeometricD() == 2)
+    {
+        // Objects bound the number of iterations, not the large levels. In 3D
+        // a second visit to these costs less, and they count
+        controls.add("wCycleCells", multigridHierarchy::controls().gatherCells);
+    }
     return controls;
 }
 

@@ -59,6 +59,7 @@ Foam::fsi::stepOutput::stepOutput(fsiObjects& objects)
         objects.properties().subOrEmptyDict("output"),
         objects.grid().nDims()
     ),
+    followed_(objects.grid().mesh().time(), objects.bodies()),
     signedDistance_
     (
         writtenField(objects.grid().mesh(), "signedDistance"),
@@ -136,14 +137,6 @@ void Foam::fsi::stepOutput::report(const timeError& error)
     );
     log.setWarnings("contact gives energy", objects_.contact().warned());
     log.finish(record, timer);
-}
-
-
-void Foam::fsi::stepOutput::writeRheology(const vectorField& hydrodynamicForce)
-{
-    symmTensorField stresslets, contactStresses;
-    objectStresses(objects_, hydrodynamicForce, stresslets, contactStresses);
-    rheology_->write(stresslets, contactStresses);
 }
 
 
@@ -239,12 +232,15 @@ void Foam::fsi::stepOutput::write
     }
     if (rheology_.valid() && writer_.stepWanted())
     {
-        writeRheology(hydrodynamicForce);
+        symmTensorField fluid, contact;
+        objectStresses(objects_, hydrodynamicForce, fluid, contact);
+        rheology_->write(fluid, contact);
     }
     const bool output = mesh.time().writeTime();
     if (output || writer_.objectsWanted())
     {
         writeRows(hydrodynamicForce);
+        followed_.write(time, objects_.bodies(), objects_.images().period());
     }
     if (!output)
     {

@@ -39,7 +39,7 @@ static void checkShapeEntry(const dictionary& dict, const entry& e)
     (
         e.dict(),
         {
-            "shape", "mesh", "material", "admm", "hold",
+            "shape", "mesh", "material", "admm", "hold", "follow",
             "nodeSpacing", "minimumCells", "motion", "distribution"
         }
     );
@@ -47,7 +47,7 @@ static void checkShapeEntry(const dictionary& dict, const entry& e)
     (
         e.dict(),
         {
-            "shape", "mesh", "material", "admm", "hold", "motion",
+            "shape", "mesh", "material", "admm", "hold", "follow", "motion",
             "distribution"
         }
     );
@@ -150,7 +150,8 @@ bool Foam::fsi::seeding::needsInside(const dictionary& dict) const
 {
     const dictionary& material = dict.subDict("material");
     const bool prescribed =
-        bodyMotion::New(dict.subOrEmptyDict("motion")).valid();
+        bodyMotion::New(dict.subOrEmptyDict("motion")).valid()
+     && dict.subOrEmptyDict("hold").empty();
     return
         material.lookupOrDefault<word>("type", "") != "rigid"
      && !(domain_.nDims == 3 && prescribed)

@@ -78,14 +78,21 @@ void Foam::fsi::seeding::checkVelocities(const dictionary& placements) const
     {
         const placedObject& object = (*space_)[i];
         const scalar speed = mag(object.velocity) + mag(object.angularVelocity);
-        if (space_->attached(object.shape) && speed > 0)
+        const bool membrane = !objects_.groups()[object.shape].hasWalls();
+        if ((space_->attached(object.shape) || membrane) && speed > 0)
         {
             FatalIOErrorInFunction(placements)
                 << "Entry 'velocity' or 'angularVelocity' of placement "
                 << object.placement << " in dictionary " << placements.name()
                 << " gives " << space_->description(i).c_str()
-                << " a velocity, but its shape has a prescribed motion, or is"
-                << " clamped (entries 'motion' and 'hold' of the shape)"
+                << " a velocity, but its shape "
+                << (
+                       membrane
+                     ? "is a membrane, which moves with the fluid: set the"
+                       " velocity in 0/U"
+                     : "has a prescribed motion, or is clamped (entries"
+                       " 'motion' and 'hold' of the shape)"
+                   )
                 << exit(FatalIOError);
         }
     }

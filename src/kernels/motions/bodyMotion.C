@@ -2,6 +2,7 @@
 
 #include "bodyMotion.H"
 #include "dictionaryCheck.H"
+#include "objectLoad.H"
 #include "openfoamVersion.H"
 #include "readBetween.H"
 #include "readFunction.H"
@@ -60,13 +61,14 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
                 readFunction<vector>(dict, load);
             }
         }
-        const wordList regions({"pulls"});
+        const wordList regions({"pulls", "loads"});
         const wordList freedoms({"translations", "rotations"});
         checkKeys
         (
             dict,
             {
-                "type", loads[0], loads[1], regions[0], freedoms[0], freedoms[1]
+                "type", loads[0], loads[1], regions[0], regions[1],
+                freedoms[0], freedoms[1]
             }
         );
         checkSubDicts(dict, regions);
@@ -77,6 +79,7 @@ Foam::autoPtr<Foam::fsi::bodyMotion> Foam::fsi::bodyMotion::New
                 readFunction<vector>(e.dict(), loads[0]);
             }
         }
+        objectLoad::newLoads(dict.subOrEmptyDict(regions[1]));
         return autoPtr<bodyMotion>();
     }
 

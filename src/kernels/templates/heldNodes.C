@@ -18,18 +18,14 @@ Foam::fsi::heldNodes::heldNodes
     const direction nDims
 )
 {
-    pointField places(points.size());
-    forAll(places, nodei)
-    {
-        places[nodei] = points[nodei] + origin;
-    }
+    const pointField places(inShape(points, origin));
     scalarField springs(points.size(), -1);
     for (const entry& e : dict)
     {
         const dictionary& region = regionIn(dict, e);
         const labelList nodes
         (
-            nodesInRegion(region, places, nDims, "stiffness")
+            nodesInRegion(region, places, nDims, {"stiffness"})
         );
         const scalar spring =
             region.found("stiffness")

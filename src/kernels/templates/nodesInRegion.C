@@ -53,14 +53,15 @@ static region readRegion
     const dictionary& dict,
     const UList<point>& points,
     const direction nDims,
-    const word& value
+    const wordList& further
 )
 {
     const word type(readChoice
     (
         dict, "type", "", {"box", "sphere", "halfSpace", "nearest"}
     ));
-    wordList keys({"type", value});
+    wordList keys({"type"});
+    keys.append(further);
     const auto flat = [&](const vector& v) { return inPlane(v, nDims); };
     region inside;
     if (type == "box")
@@ -132,15 +133,30 @@ const Foam::dictionary& Foam::fsi::regionIn
 }
 
 
+Foam::pointField Foam::fsi::inShape
+(
+    const UList<point>& points,
+    const point& origin
+)
+{
+    pointField places(points.size());
+    forAll(places, nodei)
+    {
+        places[nodei] = points[nodei] + origin;
+    }
+    return places;
+}
+
+
 Foam::labelList Foam::fsi::nodesInRegion
 (
     const dictionary& dict,
     const UList<point>& points,
     const direction nDims,
-    const word& value
+    const wordList& further
 )
 {
-    const region inside(readRegion(dict, points, nDims, value));
+    const region inside(readRegion(dict, points, nDims, further));
     const bool one = getEntry<word>(dict, "type") == "nearest";
     DynamicList<label> nodes;
     forAll(points, nodei)

@@ -180,6 +180,18 @@ Foam::fsi::shapeTemplate::shapeTemplate
             nDims
         )
       : heldNodes(dict, mesh_.points.size())
+    ),
+    followed_
+    (
+        newMaterial
+      ? followedNodes
+        (
+            dict.subOrEmptyDict("follow"),
+            SubList<point>(mesh_.points, mesh_.nBoundary),
+            origin,
+            nDims
+        )
+      : followedNodes(dict, mesh_.nBoundary)
     )
 {
     checkEntries(dict);
@@ -200,7 +212,7 @@ Foam::fsi::shapeTemplate::shapeTemplate
 
 Foam::wordList Foam::fsi::shapeTemplate::keys()
 {
-    return {"shape", "mesh", "material", "admm", "hold"};
+    return {"shape", "mesh", "material", "admm", "hold", "follow"};
 }
 
 

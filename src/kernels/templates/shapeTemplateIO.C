@@ -25,6 +25,7 @@ void Foam::fsi::shapeTemplate::write(Ostream& os) const
     putList(os, "springConstants", springConstants_);
     putList(os, "nodeMasses", nodeMasses_);
     held_.write(os);
+    followed_.write(os);
 
     os.precision(oldPrecision);
 }

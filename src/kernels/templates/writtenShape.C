@@ -49,10 +49,10 @@ const Foam::dictionary& Foam::fsi::writtenShape::checked
             "FoamFile", "name", "nDims", "thickness", "nodeSpacing",
             "material", "admm", "nBoundaryNodes", "points", "faces",
             "elements", "springConstants", "nodeMasses", "heldNodes",
-            "heldStiffness"
+            "heldStiffness", "followedNodes"
         }
     );
-    checkSubDicts(dict, {"material", "admm"});
+    checkSubDicts(dict, {"material", "admm", "followedNodes"});
     const label nDims = getEntry<label>(dict, "nDims");
     if (nDims != 2 && nDims != 3)
     {

@@ -38,6 +38,12 @@ def check_functions(report, folder):
              for name, (text, texts) in FUNCTIONS.items()}
     wrong["a force of a word"] = (
         "motion { type free; force strong; }", ("'force'", "strong", "table"))
+    wrong["a load of an unknown type"] = (
+        "motion { type free; loads { a { type trp; } } }",
+        ("trp", "trap", "loads.a"))
+    wrong["a load without its stiffness"] = (
+        "motion { type free; loads { a { type trap; place (0 0 0); } } }",
+        ("'stiffness'", "loads.a"))
     wrong["a pull of a word"] = (
         "motion { type free; pulls { right { type halfSpace; normal (1 0 0); "
         "force strong; } } }", ("'force'", "pulls.right", "strong", "table"))

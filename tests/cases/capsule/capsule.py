@@ -19,6 +19,7 @@ import sys
 import adhesion
 import apart
 import fsiCase
+import heavy
 import lines
 import results
 import sameAnswers
@@ -195,6 +196,7 @@ def main(folder):
     report.attempt("ranks", sameAnswers.ranks, report, folder)
     report.attempt("walls", check_walls, report, folder)
     report.attempt("adhesion", adhesion.check, report, folder)
+    report.attempt("heavy capsules", heavy.check, report, folder)
     report.attempt("apart", apart.check, report, folder)
     report.attempt("restart", sameAnswers.restart, report, folder)
     report.attempt("refused", steps.refused, report, folder)

@@ -12,6 +12,8 @@ a fluid.
 3. The same in three dimensions: a flap of rubber, and a block that turns about
    z only.
 4. All of this is the same on two and three ranks and after a restart.
+5. The table of followed places has the tip and the root of the flap, and the
+   skin of the disc, whose mean moves as the disc.
 """
 
 import math
@@ -29,6 +31,11 @@ flap
     shape    { type polygon; file "constant/flap.csv"; }
     material { type neoHookean; density 2; E 100; strain smoothed; }
     hold     { root { type halfSpace; normal (0 -1 0); } }
+    follow
+    {
+        tip  { type nearest; point (0.4 0.5 0); }
+        root { type halfSpace; normal (0 -1 0); }
+    }
 }
 disc
 {
@@ -37,6 +44,7 @@ disc
     hold     { spring { type sphere; centre (0 0 0); radius 1; stiffness 5; } }
     motion   { type free; translations (y); rotations (); force constant
                (0 0.05 0); }
+    follow   { skin { type sphere; centre (0 0 0); radius 1; } }
 }
 bar
 {
@@ -127,6 +135,30 @@ def rigid_bodies(report, case):
                  f"{pin}, {foot}")
 
 
+def followed(report, case):
+    """Check 5; the rows, for a comparison with other runs."""
+    rows = results.table(case.path, "followed.csv")
+    last = {row["shape"] + "." + row["place"]: row for row in rows[-3:]}
+    report.check("places that are followed", sorted(last) == [
+        "disc.skin", "flap.root", "flap.tip"], f"{sorted(last)}")
+    tip = max(moves(case, "flap"), key=lambda n: n[0][1] - n[0][0])
+    place = [last["flap.tip"]["position" + x] for x in "XY"]
+    report.check("the tip is a node", all(
+        abs(a + d - x) < 1e-12 for a, d, x in zip(*tip, place)),
+                 f"{place}, {tip}")
+    report.check("the root stays in its place", all(
+        abs(last["flap.root"][key]) < 1e-6
+        for key in ("velocityX", "velocityY")), f"{last['flap.root']}")
+    disc = [row for row in results.table(case.path, "objects.csv")
+            if row["shape"] == "disc"][-1]
+    skin = last["disc.skin"]
+    report.check("the skin moves as the disc", all(
+        abs(skin["position" + x] - disc["centroid" + x]) < 1e-6
+        and abs(skin["velocity" + x] - disc["velocity" + x]) < 1e-9
+        for x in "XY"), f"{skin}, {disc}")
+    return rows[-3:]
+
+
 def restarted(folder, name, whole, **changes):
     """The largest difference of a run that stops in the middle."""
     case = channel(folder, name, endTime=0.02*STEPS/2, **changes)
@@ -156,6 +188,7 @@ def main(folder):
         report.attempt("checkObjects", case.run, "checkObjects")
         if not solid:
             rigid_bodies(report, case)
+            places = followed(report, case)
         else:
             block = [d for _, d in moves(case, "block")]
             report.check("a block turns about z",
@@ -170,6 +203,12 @@ def main(folder):
             apart = ranks(folder, f"{name}{n}", case, parts, **changes)
             print(f"    {name} on {n} ranks: {apart:.1e} apart")
             report.check(f"{name} on {n} ranks", apart < 1e-6, f"{apart}")
+            if not solid:
+                other = results.table(os.path.join(folder, f"{name}{n}"),
+                                      "followed.csv")[-3:]
+                report.check(f"places on {n} ranks", all(
+                    abs(a["positionX"] - b["positionX"]) < 1e-6
+                    for a, b in zip(places, other)), f"{places}, {other}")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compiles a contact law of a user's own as in README, runs the first tutorial
-with it, and expects what the law must do: the discs bounce off each other, no
-energy is added, and the contact energy is the law's.
+"""Compiles a library of a user's own as in doc/extending.md. With its contact
+law the first tutorial must do what the law says: the discs bounce off each
+other, no energy is added, and the contact energy is the law's. With its load
+discs swim apart.
 
     law.py FOLDER LIBRARY
 """
@@ -23,11 +24,11 @@ def compile_library(folder, source):
     copy = os.path.join(folder, "library")
     shutil.copytree(source, copy, ignore=shutil.ignore_patterns(
         "lnInclude", "linux*"))
-    environment = dict(os.environ, FSI_USER_LIB=folder)
+    environment = dict(os.environ, FOAM_USER_LIBBIN=folder)
     done = subprocess.run(["wmake", "-s", "libso", copy], env=environment,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           text=True, timeout=600, check=False)
-    library = os.path.join(folder, "libsquareContact.so")
+    library = os.path.join(folder, "libuserLaws.so")
     if done.returncode or not os.path.exists(library):
         raise RuntimeError(done.stdout[-600:])
     return library
@@ -63,6 +64,24 @@ def check_run(report, case):
     report.check("they never overlap", True)
 
 
+def check_load(report, folder, library):
+    """The load pushes discs of even ids forwards, those of odd ids back."""
+    case = fsiCase.Case(
+        os.path.join(folder, "load"), cells=(32, 32), viscosity=0.1,
+        shapes="disc { shape { type circle; radius 0.1; } material { type "
+               "rigid; density 1; } motion { type free; loads { swim { type "
+               "swimming; thrust 1e-3; } } } }",
+        placements="a { type listed; shape disc; objects ({ centre (0.5 0.3 "
+                   "0); } { centre (0.5 0.7 0); }); }",
+        properties="output { objectsEvery 1; }",
+        deltaT=0.01, endTime=0.1, libs=f'("{library}")').set_up()
+    case.run("fsiPisoFoam")
+    speeds = {row["object"]: row["velocityX"]
+              for row in results.table(case.path, "objects.csv")[-2:]}
+    report.check("discs swim apart", speeds[0] > 1e-3 and
+                 abs(speeds[0] + speeds[1]) < 1e-6*speeds[0], f"{speeds}")
+
+
 def main(folder, source):
     """The checks."""
     report = fsiCase.Report()
@@ -73,6 +92,8 @@ def main(folder, source):
     case = make(folder, "case", library)
     if report.attempt("fsiPisoFoam runs", fsiCase.run, case, "fsiPisoFoam"):
         report.attempt("results", check_run, report, case)
+
+    report.attempt("a load of one's own", check_load, report, folder, library)
 
     without = make(folder, "without")
     try:

@@ -148,6 +148,27 @@ static void rename
 }
 
 
+//- Warn of a time that has the flow, but nothing of the objects' state
+static void warnWithoutState
+(
+    const fileName& folder,
+    const word& time,
+    const word& last
+)
+{
+    for (const char* name : {"U", "U.gz"})
+    {
+        if (isFile(folder/time/name, false))
+        {
+            WarningInFunction
+                << "Time " << time << " of " << folder << " has the velocity,"
+                << " but not the objects' state (uniform/fsi*). The run starts"
+                << " from " << last << nl << endl;
+        }
+    }
+}
+
+
 //- Rename the times of folders that are later than the last complete one. True
 //  if some of them stay, since they are those of function objects
 static bool setAsideAfter(const instant& last, const fileNameList& folders)
@@ -167,6 +188,7 @@ static bool setAsideAfter(const instant& last, const fileNameList& folders)
             }
             else
             {
+                warnWithoutState(folder, time.name(), last.name());
                 stay = true;
             }
         }

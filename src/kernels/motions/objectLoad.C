@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "objectLoad.H"
+#include "dictionaryCheck.H"
+#include "selection.H"
+
+// * * * * * * * * * * * * * * Static Data Members * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace fsi
+{
+    defineTypeNameAndDebug(objectLoad, 0);
+    defineRunTimeSelectionTable(objectLoad, dictionary);
+}
+}
+
+
+// * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
+
+Foam::PtrList<Foam::fsi::objectLoad> Foam::fsi::objectLoad::newLoads
+(
+    const dictionary& loads
+)
+{
+    PtrList<objectLoad> result(loads.size());
+    label loadi = 0;
+    for (const entry& e : loads)
+    {
+        if (!e.isDict())
+        {
+            FatalIOErrorInFunction(loads)
+                << "Entry '" << e.keyword() << "' in dictionary "
+                << loads.name() << " must be the dictionary of a load"
+                << exit(FatalIOError);
+        }
+        const dictionary& dict = e.dict();
+        const word type(getEntry<word>(dict, "type"));
+        result.set
+        (
+            loadi++,
+            constructorOf
+            (
+                *dictionaryConstructorTablePtr_, dict, "load", type
+            )(dict)
+        );
+    }
+    return result;
+}
+
+
+// ************************************************************************* //
