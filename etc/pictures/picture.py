@@ -7,14 +7,13 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401, text
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the renderer
 from vtkmodules import vtkCommonCore, vtkCommonDataModel, vtkCommonTransforms
 from vtkmodules import vtkFiltersCore, vtkFiltersGeneral, vtkFiltersSources
-from vtkmodules import vtkRenderingAnnotation, vtkRenderingCore
+from vtkmodules import vtkRenderingCore
 
-PALETTE = (
-    (227, 120, 41), (43, 140, 87), (204, 64, 84),
-    (115, 92, 166), (148, 107, 71), (217, 166, 33),
-)
+from shapes import PALETTE
+from side import GAP, bar_of, legend_of
+
 # Pixels
-BAR_WIDTH, TITLE_HEIGHT, MARGIN = 110, 30, 10
+TITLE_HEIGHT, MARGIN = 30, 10
 
 
 def actor_of(data, colour=None):
@@ -76,14 +75,16 @@ def colour_table(bounds, ends=FIELD):
 class Picture:
     """One time of a case, drawn."""
 
-    def __init__(self, size, time, bounds, table, with_bar):
+    def __init__(self, size, time, bounds, table):
         self.renderer = vtkRenderingCore.vtkRenderer()
         self.renderer.SetBackground(1, 1, 1)
         self.bounds, self.table = bounds, table
+        # By numbers of shapes, where these decide
+        self.shape_colours = {}
         self.width, self.height = self.extent()
         self.scale = size/max(self.width, self.height)
         self.line = max(1.0, size/400)
-        self.bar = BAR_WIDTH if with_bar else 0
+        self.side = 0
         self.add_title(f"t = {time:.6g} s")
 
     def extent(self):
@@ -157,22 +158,22 @@ class Picture:
             self.table.SetVectorModeToMagnitude()
 
     def add_bar(self, name):
-        bar = vtkRenderingAnnotation.vtkScalarBarActor()
-        bar.SetLookupTable(self.table)
-        bar.SetTitle(name)
-        bar.SetNumberOfLabels(5)
-        bar.SetLabelFormat("%.3g")
-        bar.SetVerticalTitleSeparation(12)
-        bar.UnconstrainedFontSizeOn()
-        for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
-            text.SetColor(0, 0, 0)
-            text.SetFontSize(14)
-            text.ShadowOff()
-            text.ItalicOff()
-        start = 1 - self.bar/self.pixels()[0]
-        bar.SetPosition(start + 0.01, 0.1)
-        bar.SetPosition2(0.95*(1 - start), 0.8)
+        """The colours of the field, to the right of all else."""
+        bar, width = bar_of(self.table, name)
+        start = self.pixels()[0]
+        self.side += width
+        bar.SetPosition((start + GAP)/self.pixels()[0], 0.1)
+        bar.SetPosition2((width - 2*GAP)/self.pixels()[0], 0.8)
         self.renderer.AddActor2D(bar)
+
+    def add_legend(self, colours):
+        """Names of shapes and their colours, to the right of the frame."""
+        wide, high = self.pixels()
+        actors, width = legend_of(colours, wide + GAP, TITLE_HEIGHT + MARGIN,
+                                  high - MARGIN)
+        self.side += width
+        for actor in actors:
+            self.renderer.AddActor2D(actor)
 
     def add_vectors(self, plane, count):
         """Arrows of U on a lattice; the longest are as long as its spacing."""
@@ -218,13 +219,16 @@ class Picture:
         self.add(self.placed(self.zero_of(plane, name), (0, 0, 0), 5), 1.5)
 
     def coloured(self, data, height=0.0):
-        """An actor of polygons in the colours of their objects' numbers."""
-        numbers = data.GetCellData().GetArray("object")
+        """An actor of polygons in the colours of their objects' numbers or
+        shapes."""
+        numbers = data.GetCellData().GetArray(
+            "shape" if self.shape_colours else "object")
         colours = vtkCommonCore.vtkUnsignedCharArray()
         colours.SetNumberOfComponents(3)
         for i in range(data.GetNumberOfCells()):
             number = int(numbers.GetTuple1(i)) if numbers else 0
-            colours.InsertNextTuple3(*PALETTE[number % len(PALETTE)])
+            colours.InsertNextTuple3(*self.shape_colours.get(
+                number, PALETTE[number % len(PALETTE)]))
         data.GetCellData().SetScalars(colours)
         actor = self.placed(data, None, height)
         actor.GetMapper().ScalarVisibilityOn()
@@ -232,8 +236,8 @@ class Picture:
         return actor
 
     def add_objects(self, surfaces, name):
-        """Each object filled in the colour of its number, with its outline; or
-        grey, with an outline in the colours of an array."""
+        """Each object filled in its colour, with its outline; or grey, with an
+        outline in the colours of an array."""
         triangles = vtkFiltersCore.vtkTriangleFilter()
         triangles.SetInputData(surfaces)
         triangles.Update()
@@ -253,13 +257,13 @@ class Picture:
 
     def pixels(self):
         """Width and height of the picture."""
-        wide = round(self.width*self.scale) + self.bar + 2*MARGIN
+        wide = round(self.width*self.scale) + self.side + 2*MARGIN
         return wide, round(self.height*self.scale) + TITLE_HEIGHT + 2*MARGIN
 
     def set_camera(self, camera, high):
         """Looks at the plane from above; high: pixels of the picture."""
         shift = (
-            0.5*(self.bounds[0] + self.bounds[1]) + 0.5*self.bar/self.scale,
+            0.5*(self.bounds[0] + self.bounds[1]) + 0.5*self.side/self.scale,
             0.5*(self.bounds[2] + self.bounds[3]) - 0.5*TITLE_HEIGHT/self.scale,
         )
         camera.SetFocalPoint(*shift, 0)

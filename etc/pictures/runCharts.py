@@ -11,15 +11,15 @@ BINS = 150
 VISCOSITIES = ("wallViscosity", "viscosity")
 
 
-def curve(axes, lines, name, **options):
-    """A column over the time; False if there is no such column, or nothing
-    finite in it."""
+def curve(axes, lines, name, label=None, **options):
+    """A column over the time, with its name or another label; False if there
+    is no such column, or nothing finite in it."""
     values = tables.column(lines, name)
     if values is None or not any(math.isfinite(v) for v in values):
         return False
     axes.plot(tables.column(lines, "time"),
               [v if math.isfinite(v) else float("nan") for v in values],
-              label=name, linewidth=1.2, **options)
+              label=label or name, linewidth=1.2, **options)
     return True
 
 

@@ -13,9 +13,9 @@ class Scene(Picture):
     """A picture with a camera: degrees to the right of the view along -z, and
     degrees above the horizon."""
 
-    def __init__(self, size, time, bounds, table, with_bar, camera):
+    def __init__(self, size, time, bounds, table, camera):
         self.azimuth, self.elevation = camera
-        super().__init__(size, time, bounds, table, with_bar)
+        super().__init__(size, time, bounds, table)
 
     def extent(self):
         """Width and height of the box as the camera sees it."""
@@ -47,9 +47,9 @@ class Scene(Picture):
         self.add(actor_of(source.GetOutput(), (0, 0, 0)))
 
     def add_objects(self, surfaces, name):
-        """Each object as a solid in the colour of its number or of an array,
-        in light. Its parts beyond the box are cut off, as they are shown across
-        the seam."""
+        """Each object as a solid in its colour or those of an array, in light.
+        Its parts beyond the box are cut off, as they are shown across the
+        seam."""
         actor = self.coloured(self.smooth(surfaces))
         if name:
             self.paint(actor, surfaces, name)
@@ -98,7 +98,7 @@ class Scene(Picture):
     def set_camera(self, camera, high):
         right, up, back = self.axes()
         middle = [sum(self.bounds[2*i:2*i + 2])/2 for i in range(3)]
-        shift = (0.5*self.bar/self.scale,
+        shift = (0.5*self.side/self.scale,
                  -0.5*(TITLE_HEIGHT - MARGIN)/self.scale)
         centre = [m + shift[0]*r + shift[1]*u
                   for m, r, u in zip(middle, right, up)]

@@ -10,6 +10,7 @@ from vtkmodules import vtkCommonDataModel, vtkFiltersCore
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import caseData
+from shapes import shape_names
 
 
 class Section:
@@ -147,8 +148,7 @@ def section_of(polygons, shape, bounds):
     """Radius and centre of the round tube that has the area and the centre of
     a vessel's mean section within the mesh. By Gauss' theorem they are
     integrals over its wall."""
-    names = polygons.GetFieldData().GetAbstractArray("shapeNames")
-    names = [names.GetValue(i) for i in range(names.GetNumberOfValues())]
+    names = shape_names(polygons)
     if shape not in names:
         raise OSError(f"no shape {shape}, but " + ", ".join(names))
     own = vtk_to_numpy(polygons.GetCellData().GetArray("shape"))

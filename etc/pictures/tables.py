@@ -5,6 +5,9 @@ import csv
 import glob
 import os
 
+# Columns of names, also where a name is a number
+NAMES = ("shape", "place")
+
 
 def paths(case, name):
     """Files NAME of all runs of a case, in order of their start."""
@@ -38,7 +41,8 @@ def rows(case, name):
         with open(path, encoding="ascii") as stream:
             for row in csv.DictReader(stream):
                 if None not in row and None not in row.values():
-                    lines.append({k: value_of(v) for k, v in row.items()})
+                    lines.append({k: v if k in NAMES else value_of(v)
+                                  for k, v in row.items()})
     return lines
 
 

@@ -23,8 +23,8 @@ from matplotlib import pyplot
 sys.path.insert(0, sys.argv[1])
 import objectCharts, tables
 axes = pyplot.subplots()[1]
-objectCharts.object_curves(
-    axes, tables.rows(sys.argv[2], "objects.csv"), "velocity")
+objectCharts.ObjectChart(
+    {"": tables.rows(sys.argv[2], "objects.csv")}, "velocity")(axes)
 print(json.dumps({line.get_label(): list(line.get_ydata())
                   for line in axes.lines}))
 """

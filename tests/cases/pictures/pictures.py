@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """etc/render makes pictures, a strip and animations of a short run, with as
 many pictures as were asked for; objects across a seam stand on both sides.
-Tables, charts and the log are in charts.py.
+Tables, charts and the log are in charts.py, charts of several cases in
+studies.py, colours in colours.py.
 
     pictures.py FOLDER
 """
@@ -17,7 +18,9 @@ import sys
 import acrossChannel
 import charts
 from charts import ETC, contents, png_size
+import colours
 import fsiCase
+import studies
 
 RENDER = os.path.join(ETC, "render")
 MEMBRANES = os.path.join(os.path.dirname(os.path.abspath(__file__)),
@@ -210,6 +213,9 @@ def main(folder):
     charts.check_monitor(report, case, os.path.join(folder, "stub"))
     charts.check_tables(report, os.path.join(folder, "tables"))
 
+    studies.check_studies(report, os.path.join(folder, "studies"))
+
+    colours.check_colours(report, folder, render, SIZE)
     acrossChannel.check_profiles(report, folder)
 
     case = os.path.join(folder, "box")
