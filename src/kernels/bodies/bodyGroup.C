@@ -26,6 +26,9 @@ Foam::fsi::bodyGroup::bodyGroup
 {}
 
 
+Foam::fsi::bodyGroup::~bodyGroup() = default;
+
+
 // * * * * * * * * * * * * * * * * Selectors * * * * * * * * * * * * * * * * //
 
 Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
@@ -35,22 +38,25 @@ Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::New
 )
 {
     autoPtr<bodyMotion> motion(bodyMotion::New(motionDict));
-    if (motion.valid())
+    if (motion.valid() && shape.held().empty())
     {
-        if (!shape.held().empty())
-        {
-            FatalIOErrorInFunction(motionDict)
-                << "Entry 'type' in dictionary " << motionDict.name() << " is "
-                << motion->type() << ", which prescribes how shape "
-                << shape.name() << " moves, but entry 'hold' of the shape holds"
-                << " its nodes as well" << nl << "Leave out 'hold', or take"
-                << " the type free" << exit(FatalIOError);
-        }
         return autoPtr<bodyGroup>
         (
             new prescribedBodies(shape, std::move(motion))
         );
     }
+    autoPtr<bodyGroup> group(newFree(shape, motionDict));
+    group->heldMotion_ = std::move(motion);
+    return group;
+}
+
+
+Foam::autoPtr<Foam::fsi::bodyGroup> Foam::fsi::bodyGroup::newFree
+(
+    const shapeTemplate& shape,
+    const dictionary& motionDict
+)
+{
     const bodyFreedom freedom(motionDict, shape.nDims());
     if (shape.rigid())
     {
@@ -132,6 +138,39 @@ Foam::label Foam::fsi::bodyGroup::append
     startNodes(nDims*copyi, nDims);
     setAnchors(copyi);
     return copyi;
+}
+
+
+Eigen::MatrixXd Foam::fsi::bodyGroup::heldPlaces
+(
+    const scalar time,
+    const scalar dt
+) const
+{
+    Eigen::MatrixXd places(anchors());
+    if (!heldMotion_.valid() || places.rows() == 0)
+    {
+        return places;
+    }
+    const scalar end = time + (secondOrder() ? wholeStep() : dt);
+    const label nDims = shape().nDims();
+    const Eigen::RowVectorXd shift
+    (
+        heldMotion_->shift(0, end, nDims).head(nDims).transpose()
+    );
+    const Eigen::MatrixXd turn
+    (
+        heldMotion_->turn(0, end).topLeftCorner(nDims, nDims)
+    );
+    for (label copyi = 0; copyi < size(); ++copyi)
+    {
+        auto ofOne = ofCopy(places, copyi);
+        const Eigen::RowVectorXd centre(ofOne.colwise().mean());
+        const Eigen::MatrixXd arms(ofOne.rowwise() - centre);
+        ofOne += (arms*turn.transpose()).eval();
+        ofOne.rowwise() += shift;
+    }
+    return places;
 }
 
 

@@ -140,12 +140,13 @@ void Foam::fsi::elasticBodies::expectLoad(const Eigen::MatrixXd& load)
 
 void Foam::fsi::elasticBodies::predict
 (
-    const scalar,
+    const scalar time,
     const scalar dt,
     const Eigen::MatrixXd& force,
     Eigen::MatrixXd& v
 ) const
 {
+    const Eigen::MatrixXd places(heldPlaces(time, dt));
     const labelRange copies(0, size());
     const bool viscous = shape().viscosity() > 0;
     Eigen::MatrixXd total;
@@ -167,7 +168,7 @@ void Foam::fsi::elasticBodies::predict
         {
             start(), startVelocities(), viscous ? total : force,
             springStates_, secondOrder(),
-            shape().held().empty() ? nullptr : &anchors()
+            shape().held().empty() ? nullptr : &places
         },
         copies,
         v

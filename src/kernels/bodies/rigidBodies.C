@@ -125,7 +125,7 @@ Foam::fsi::rigidBodies::rigidBodies
 
 void Foam::fsi::rigidBodies::predict
 (
-    const scalar,
+    const scalar time,
     const scalar dt,
     const Eigen::MatrixXd& force,
     Eigen::MatrixXd& v
@@ -138,12 +138,13 @@ void Foam::fsi::rigidBodies::predict
     setMasses(dt);
     Eigen::MatrixXd total(ownMasses_.asDiagonal()*startVelocities()/dt + force);
     const labelList& held = shape().held().nodes();
+    const Eigen::MatrixXd places(heldPlaces(time, dt));
     for (label k = 0; k < held.size(); ++k)
     {
         const label i = held[k];
         total.row(i) +=
             (masses_[i] - ownMasses_[i])/sqr(dt)
-           *(anchors().row(k) - start().row(i));
+           *(places.row(k) - start().row(i));
     }
     response_.respond(total, v);
 }

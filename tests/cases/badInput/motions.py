@@ -30,8 +30,7 @@ FUNCTIONS = {
 
 
 def check_functions(report, folder):
-    """Functions of time that cannot be, and a body that is held and moved."""
-    root = "hold { root { type halfSpace; normal (0 -1 0); } } motion { type "
+    """Functions of time that cannot be, and loads."""
     wrong = {f"a function {name}": (
         f"motion {{ type function; displacement {text}; }}",
         ("'displacement'", "table", "constant", *texts))
@@ -47,9 +46,6 @@ def check_functions(report, folder):
     wrong["a pull of a word"] = (
         "motion { type free; pulls { right { type halfSpace; normal (1 0 0); "
         "force strong; } } }", ("'force'", "pulls.right", "strong", "table"))
-    wrong["a held body that is moved"] = (
-        root + "rotating; angularVelocity (0 0 1); } ",
-        ("'type'", "rotating", "'hold'", "free"))
     case = fsiCase.Case(
         os.path.join(folder, "functions"), cells=(32, 32),
         placements="a { type listed; shape disc; objects "

@@ -14,12 +14,14 @@ a fluid.
 4. All of this is the same on two and three ranks and after a restart.
 5. The table of followed places has the tip and the root of the flap, and the
    skin of the disc, whose mean moves as the disc.
+6. Clamps that move, see driven.py.
 """
 
 import math
 import os
 import sys
 
+import driven
 import fsiCase
 import results
 
@@ -209,6 +211,7 @@ def main(folder):
                 report.check(f"places on {n} ranks", all(
                     abs(a["positionX"] - b["positionX"]) < 1e-6
                     for a, b in zip(places, other)), f"{places}, {other}")
+    report.attempt("clamps that move", driven.check, report, folder)
 
 
 if __name__ == "__main__":
