@@ -190,5 +190,12 @@ def spheres():
     yield from resistances(3, (8,), (1,), (1, 0.5, 0.2, 0.1), 2)
 
 
+def all_spheres():
+    """Three dimensions, hours."""
+    yield from resistances(3, (8,), (10,),
+                           (3, 2, 1, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05), 10)
+    yield from resistances(3, (16,), (10,), (2, 1, 0.5, 0.3, 0.1), 3)
+
+
 LONG = {"resistances": resistances, "fewResistances": few,
-        "sphereResistances": spheres}
+        "sphereResistances": spheres, "allSphereResistances": all_spheres}
