@@ -85,6 +85,27 @@ def check_prescribed(report, folder):
              "object 1", "motion"))
 
 
+def check_membrane(report, folder):
+    """A membrane with a velocity of its own, and a very heavy one."""
+    case = fsiCase.Case(
+        os.path.join(folder, "membrane"), cells=(16, 16), deltaT=1e-3,
+        endTime=1e-3, shapes="sheet { shape { type circle; radius 0.25; } "
+        "material { type membrane; density 2; law neoHookean; shearModulus "
+        "0.1; } }", placements="a { type listed; shape sheet; objects "
+        "({ centre (0.5 0.5 0); velocity (1 0 0); }); }")
+    case.run("blockMesh")
+    refused(report, "velocity of a membrane", case, "seedObjects",
+            ("FATAL IO ERROR", "seedObjectsDict", "'velocity'", "placement a",
+             "membrane", "0/U"))
+    case.values["placements"] = case.values["placements"].replace(
+        "velocity (1 0 0);", "")
+    case.write()
+    case.run("seedObjects")
+    log = case.run("fsiPisoFoam")
+    report.check("a heavy membrane is warned of", "2 times the density" in log
+                 and "shape sheet" in log, log[-500:])
+
+
 def check_fed(report, folder):
     """A feed whose objects have a prescribed motion that does not bring them
     in, or not at the velocity of the feed; one that is too fast for a step."""
@@ -151,6 +172,7 @@ def main(folder):
     """The checks."""
     report = fsiCase.Report()
     report.attempt("functions", check_functions, report, folder)
+    check_membrane(report, folder)
     check_prescribed(report, folder)
     check_fed(report, folder)
     check_one_place(report, folder)
