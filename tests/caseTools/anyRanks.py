@@ -97,15 +97,18 @@ ball { shape { type circle; radius 0.07; }
 
 def crowd(path, **parameters):
     """A channel that is periodic in x, 2 x 1, full of discs, membranes and
-    balls that move every way, touch and cross the seam and all cuts."""
+    balls that touch and cross the seam and all cuts; discs and balls move every
+    way at the start."""
     shapes = ("disc", "cell", "ball")
     objects = {shape: [] for shape in shapes}
     for i in range(8):
         for j in range(4):
-            objects[shapes[(4*i + j) % 3]].append(
+            shape = shapes[(4*i + j) % 3]
+            speed = 0 if shape == "cell" else (-1)**i
+            objects[shape].append(
                 f"{{ centre ({0.13 + 0.25*i + 0.01*(j % 2)} "
                 f"{0.13 + 0.245*j} 0); "
-                f"velocity ({0.5*(-1)**(i + j)} {0.3*(-1)**i} 0); }}")
+                f"velocity ({0.5*speed*(-1)**j} {0.3*speed} 0); }}")
     placements = "\n".join(
         f"{shape}s {{ type listed; shape {shape}; objects ({' '.join(of)}); }}"
         for shape, of in objects.items())

@@ -228,7 +228,7 @@ TEST(ObjectWriter, writesTablesAndSeriesOnTheMasterOnly)
     ASSERT_EQ(objectRows.size(), 1u + 2*5);
     for (const auto& row : objectRows)
     {
-        EXPECT_EQ(row.size(), 31u);
+        EXPECT_EQ(row.size(), 32u);
     }
     EXPECT_EQ(objectRows[0][0], "time");
     EXPECT_EQ(objectRows[6][0], "0.75");
