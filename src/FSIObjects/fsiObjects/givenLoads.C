@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "givenLoads.H"
+#include "dictionaryCheck.H"
 #include "nodesInRegion.H"
 #include "readFunction.H"
 #include "rigidTurn.H"
@@ -91,7 +92,7 @@ void Foam::fsi::givenLoads::readPulls
     label pulli = 0;
     for (const entry& e : dict)
     {
-        const dictionary& region = regionIn(dict, e);
+        const dictionary& region = dictOf(dict, e, "region");
         pulled_[groupi][pulli] = nodesInRegion
         (
             region, shape.mesh().points, shape.nDims(), {"force"}

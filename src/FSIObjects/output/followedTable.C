@@ -41,10 +41,9 @@ static List<followedObject> sample
         const SubField<vector> velocities(surfaces.velocities(), n, start);
         const vector shift
         (
-            cmptMultiply
+            objects.groups()[groupi].movedBack
             (
-                objects.groups()[groupi].periods(objects.objectCopy(objecti)),
-                period
+                objects.objectCopy(objecti), period
             )
         );
         followedObject& object = all[objecti];

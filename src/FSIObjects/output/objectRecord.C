@@ -28,8 +28,7 @@ Foam::fsi::objectRecord::sample
         r.object = objects.objectId(objecti);
         r.shape = objects.shape(groupi).name();
         r.centroid = surfaces.centroid(objecti);
-        r.unwrapped =
-            r.centroid + cmptMultiply(group.periods(copyi), period);
+        r.unwrapped = r.centroid + group.movedBack(copyi, period);
         r.velocity = group.velocity(copyi);
         r.angularVelocity = group.angularVelocity(copyi);
         r.area = surfaces.volume(objecti);

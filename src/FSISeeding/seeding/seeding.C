@@ -27,17 +27,11 @@ namespace fsi
 //- FatalIOError unless an entry is the dictionary of a shape
 static void checkShapeEntry(const dictionary& dict, const entry& e)
 {
-    if (!e.isDict())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << e.keyword() << "' in dictionary "
-            << dict.name() << " must be the dictionary of a shape"
-            << exit(FatalIOError);
-    }
+    const dictionary& own = dictOf(dict, e, "shape");
     checkName(dict, e.keyword());
     checkKeys
     (
-        e.dict(),
+        own,
         {
             "shape", "mesh", "material", "admm", "hold", "follow",
             "nodeSpacing", "minimumCells", "motion", "distribution"
@@ -45,7 +39,7 @@ static void checkShapeEntry(const dictionary& dict, const entry& e)
     );
     checkSubDicts
     (
-        e.dict(),
+        own,
         {
             "shape", "mesh", "material", "admm", "hold", "follow", "motion",
             "distribution"
@@ -226,16 +220,10 @@ void Foam::fsi::seeding::place(const dictionary& dict)
         {
             continue;
         }
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(dict)
-                << "Entry '" << e.keyword() << "' in dictionary "
-                << dict.name() << " must be the dictionary of a placement"
-                << exit(FatalIOError);
-        }
+        const dictionary& own = dictOf(dict, e, "placement");
         const label before = space_->size();
         cpuTime clock;
-        placement::New(e.keyword(), e.dict(), *space_)->place(*space_);
+        placement::New(e.keyword(), own, *space_)->place(*space_);
         Info<< "Placed " << e.keyword() << ": " << space_->size() - before
             << " objects in " << clock.cpuTimeIncrement() << " s" << endl;
     }

@@ -153,22 +153,11 @@ Eigen::MatrixXd Foam::fsi::bodyGroup::heldPlaces
         return places;
     }
     const scalar end = time + (secondOrder() ? wholeStep() : dt);
-    const label nDims = shape().nDims();
-    const Eigen::RowVectorXd shift
-    (
-        heldMotion_->shift(0, end, nDims).head(nDims).transpose()
-    );
-    const Eigen::MatrixXd turn
-    (
-        heldMotion_->turn(0, end).topLeftCorner(nDims, nDims)
-    );
+    const auto step = heldMotion_->between(0, end, shape().nDims());
     for (label copyi = 0; copyi < size(); ++copyi)
     {
         auto ofOne = ofCopy(places, copyi);
-        const Eigen::RowVectorXd centre(ofOne.colwise().mean());
-        const Eigen::MatrixXd arms(ofOne.rowwise() - centre);
-        ofOne += (arms*turn.transpose()).eval();
-        ofOne.rowwise() += shift;
+        ofOne += step.of(ofOne, ofOne.colwise().mean());
     }
     return places;
 }

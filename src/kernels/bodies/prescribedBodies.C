@@ -27,25 +27,17 @@ void Foam::fsi::prescribedBodies::displacement
 ) const
 {
     const label nDims = shape().nDims();
-    const Eigen::VectorXd shift
-    (
-        motion_->shift(time, time + dt, nDims).head(nDims)
-    );
-    const Eigen::MatrixXd turn
-    (
-        motion_->turn(time, time + dt).topLeftCorner(nDims, nDims)
-    );
+    const auto step = motion_->between(time, time + dt, nDims);
     d.resize(positions().rows(), positions().cols());
     for (label copyi = 0; copyi < size(); ++copyi)
     {
         const point centre(centroid(copyi));
-        Eigen::MatrixXd arms(ofCopy(positions(), copyi));
+        Eigen::RowVectorXd about(nDims);
         for (label i = 0; i < nDims; ++i)
         {
-            arms.col(i).array() -= centre[i];
+            about[i] = centre[i];
         }
-        d.middleCols(nDims*copyi, nDims) =
-            (arms*turn.transpose()).rowwise() + shift.transpose();
+        ofCopy(d, copyi) = step.of(ofCopy(positions(), copyi), about);
     }
 }
 

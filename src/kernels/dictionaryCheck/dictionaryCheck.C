@@ -112,6 +112,23 @@ void Foam::fsi::checkSubDicts(const dictionary& dict, const wordList& keys)
 }
 
 
+const Foam::dictionary& Foam::fsi::dictOf
+(
+    const dictionary& dict,
+    const entry& e,
+    const word& what
+)
+{
+    if (!e.isDict())
+    {
+        FatalIOErrorInFunction(dict)
+            << "Entry '" << e.keyword() << "' in dictionary " << dict.name()
+            << " must be the dictionary of a " << what << exit(FatalIOError);
+    }
+    return e.dict();
+}
+
+
 Foam::scalar Foam::fsi::readPositive
 (
     const dictionary& dict,

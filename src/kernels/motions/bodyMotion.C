@@ -179,4 +179,19 @@ Eigen::Matrix3d Foam::fsi::bodyMotion::turn
 }
 
 
+Foam::fsi::bodyMotion::rigidStep Foam::fsi::bodyMotion::between
+(
+    const scalar from,
+    const scalar to,
+    const label nDims
+) const
+{
+    return
+    {
+        shift(from, to, nDims).head(nDims).transpose(),
+        turn(from, to).topLeftCorner(nDims, nDims)
+    };
+}
+
+
 // ************************************************************************* //

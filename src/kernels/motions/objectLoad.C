@@ -27,14 +27,7 @@ Foam::PtrList<Foam::fsi::objectLoad> Foam::fsi::objectLoad::newLoads
     label loadi = 0;
     for (const entry& e : loads)
     {
-        if (!e.isDict())
-        {
-            FatalIOErrorInFunction(loads)
-                << "Entry '" << e.keyword() << "' in dictionary "
-                << loads.name() << " must be the dictionary of a load"
-                << exit(FatalIOError);
-        }
-        const dictionary& dict = e.dict();
+        const dictionary& dict = dictOf(loads, e, "load");
         const word type(getEntry<word>(dict, "type"));
         result.set
         (

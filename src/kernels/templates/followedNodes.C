@@ -24,7 +24,8 @@ Foam::fsi::followedNodes::followedNodes
     label placei = 0;
     for (const entry& e : dict)
     {
-        nodes_[placei++] = nodesInRegion(regionIn(dict, e), places, nDims);
+        nodes_[placei++] =
+            nodesInRegion(dictOf(dict, e, "region"), places, nDims);
     }
 }
 

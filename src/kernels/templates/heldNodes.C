@@ -22,7 +22,7 @@ Foam::fsi::heldNodes::heldNodes
     scalarField springs(points.size(), -1);
     for (const entry& e : dict)
     {
-        const dictionary& region = regionIn(dict, e);
+        const dictionary& region = dictOf(dict, e, "region");
         const labelList nodes
         (
             nodesInRegion(region, places, nDims, {"stiffness"})

@@ -117,22 +117,6 @@ static region readRegion
 
 // * * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * //
 
-const Foam::dictionary& Foam::fsi::regionIn
-(
-    const dictionary& dict,
-    const entry& e
-)
-{
-    if (!e.isDict())
-    {
-        FatalIOErrorInFunction(dict)
-            << "Entry '" << e.keyword() << "' in dictionary " << dict.name()
-            << " must be the dictionary of a region" << exit(FatalIOError);
-    }
-    return e.dict();
-}
-
-
 Foam::pointField Foam::fsi::inShape
 (
     const UList<point>& points,

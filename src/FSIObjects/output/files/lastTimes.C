@@ -156,15 +156,12 @@ static void warnWithoutState
     const word& last
 )
 {
-    for (const char* name : {"U", "U.gz"})
+    if (isFile(folder/time/"U"))
     {
-        if (isFile(folder/time/name, false))
-        {
-            WarningInFunction
-                << "Time " << time << " of " << folder << " has the velocity,"
-                << " but not the objects' state (uniform/fsi*). The run starts"
-                << " from " << last << nl << endl;
-        }
+        WarningInFunction
+            << "Time " << time << " of " << folder << " has the velocity,"
+            << " but not the objects' state (uniform/fsi*). The run starts"
+            << " from " << last << nl << endl;
     }
 }
 
